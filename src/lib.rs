@@ -1,0 +1,4 @@
+//! Tile packings and the search for them.
+pub mod symmetry;
+pub mod tiles;
+pub mod torus;

@@ -1,0 +1,17 @@
+//! Where tiles go: a torus of `width` x `height` cells.
+//!
+//! Rows run north to south, columns west to east, both wrap around. A packing is an array of
+//! tiles; what neighbors share is better said once, so a [`Lattice`] holds the *labels*: one
+//! color per lattice point for corner tiles, the colors of the north and the west edge of every
+//! cell for Wang tiles, the color of the first end for dominoes. Search and symmetry work on
+//! labels, files and verification on tiles.
+
+pub mod lattice;
+pub mod order;
+pub mod packing;
+pub mod shape;
+
+pub use lattice::Lattice;
+pub use order::Order;
+pub use packing::Packing;
+pub use shape::{Cell, Shape, ShapeError};
