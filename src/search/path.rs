@@ -1,0 +1,126 @@
+//! The path: where a walk stands and what it has still to visit.
+//!
+//! Level `i` below [`Path::level`] holds a choice that has been made and the alternatives not
+//! yet tried there; level [`Path::level`] itself holds only alternatives. A path with no
+//! alternative left anywhere is exhausted. Handing out alternatives of the shallowest level
+//! that has any splits the work in two large parts that are visited one after the other in the
+//! undivided walk; that is how threads share it.
+
+use super::{Alternatives, Problem, Values};
+
+/// The position of a walk: choices made and alternatives left, level by level.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Path<A> {
+    level: usize,
+    choices: Vec<u32>,
+    left: Vec<A>,
+}
+
+impl<A: Alternatives> Path<A> {
+    /// The path of the whole tree, nothing visited.
+    ///
+    /// A problem without levels has one solution, the empty one; its path has one dummy
+    /// alternative, so that it is not exhausted before that solution is visited.
+    pub fn root<P: Problem<Alternatives = A>>(problem: &mut P) -> Self {
+        let levels = problem.levels();
+        let mut left = vec![A::EMPTY; levels.max(1)];
+        if levels == 0 {
+            left[0].insert(0);
+        } else {
+            left[0] = problem.alternatives(0);
+        }
+        Self { level: 0, choices: vec![0; levels], left }
+    }
+
+    /// The number of choices made.
+    pub fn level(&self) -> usize {
+        self.level
+    }
+
+    /// The choices made, from level 0.
+    pub fn choices(&self) -> &[u32] {
+        &self.choices[..self.level]
+    }
+
+    /// The alternatives left at every level up to [`Path::level`].
+    pub fn left(&self) -> &[A] {
+        let end = self.left.len().min(self.level + 1);
+        &self.left[..end]
+    }
+
+    /// Whether nothing is left to visit.
+    pub fn is_exhausted(&self) -> bool {
+        self.left().iter().all(Alternatives::is_empty)
+    }
+
+    /// The choices that lead to the next node of the walk: nothing still to visit comes before
+    /// it. For an exhausted path, the choices made.
+    pub fn start<V: Values>(&self, values: &V) -> Vec<u32> {
+        let mut start = self.choices().to_vec();
+        if let Some(level) = self.left().iter().rposition(|left| !left.is_empty()) {
+            let mut left = self.left[level];
+            start.truncate(level);
+            start.push(values.take(level, &mut left));
+        }
+        start
+    }
+
+    /// Gives away the later half of the alternatives at the shallowest level that has any, or
+    /// `None` when there are too few for two.
+    pub fn split<V: Values>(&mut self, values: &V) -> Option<Self> {
+        let level = self.left().iter().position(|left| !left.is_empty())?;
+        let count = self.left[level].count();
+        // A path that stands on this level has nothing else, so it keeps one alternative.
+        let keep = if level < self.level { count / 2 } else { count.div_ceil(2) };
+        if keep == count {
+            return None;
+        }
+        let mut given = self.left[level];
+        let mut kept = A::EMPTY;
+        for _ in 0..keep {
+            kept.insert(values.take(level, &mut given));
+        }
+        self.left[level] = kept;
+        let mut part = Self { level, choices: self.choices.clone(), left: self.left.clone() };
+        part.left.fill(A::EMPTY);
+        part.left[level] = given;
+        Some(part)
+    }
+
+    /// Brings a problem without choices to where this path stands.
+    pub fn replay<P: Problem<Alternatives = A>>(&self, problem: &mut P) {
+        for (level, &choice) in self.choices().iter().enumerate() {
+            problem.push(level, choice);
+        }
+    }
+
+    /// The part of the whole tree still to visit, 0 to 1, if all alternatives of a node had
+    /// equally large trees below them (Knuth's estimate of progress, exact at 0 and 1).
+    ///
+    /// `problem` must stand where the path stands, and is left there.
+    pub fn remaining<P: Problem<Alternatives = A>>(&self, problem: &mut P) -> f64 {
+        if self.choices.is_empty() {
+            return f64::from(u8::from(!self.is_exhausted()));
+        }
+        for level in (0..self.level).rev() {
+            problem.pop(level, self.choices[level]);
+        }
+        let (mut share, mut remaining) = (1.0, 0.0);
+        for (level, left) in self.left().iter().enumerate() {
+            let of = problem.alternatives(level).count();
+            if of > 0 {
+                share /= f64::from(of);
+                remaining += share * f64::from(left.count());
+            }
+            if level < self.level {
+                problem.push(level, self.choices[level]);
+            }
+        }
+        remaining
+    }
+
+    /// The arrays a walk works on: the level, and choices and alternatives of all levels.
+    pub(super) fn parts(&mut self) -> (&mut usize, &mut [u32], &mut [A]) {
+        (&mut self.level, &mut self.choices, &mut self.left)
+    }
+}

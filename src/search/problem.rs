@@ -1,0 +1,29 @@
+//! What a search walks over.
+
+use super::Alternatives;
+
+/// A tree of choices: at each of a fixed number of levels one of a set of alternatives.
+///
+/// A value of this type is the state after the choices made so far. `push` and `pop` are exact
+/// inverses: after `pop` the problem answers as before the `push`. There is no I/O, clock,
+/// thread or randomness in a problem; cloning gives an independent copy.
+///
+/// What must be extended when a level gets more state: only what `push` changes, so that a
+/// [`Path`](super::Path) of choices alone restores it.
+pub trait Problem: Clone + Send {
+    /// The type of a set of alternatives.
+    type Alternatives: Alternatives;
+
+    /// The number of levels; a path of that many choices is a solution.
+    fn levels(&self) -> usize;
+
+    /// The valid alternatives at `level`, when exactly the levels below it have been pushed.
+    /// Leaves the state as it was.
+    fn alternatives(&mut self, level: usize) -> Self::Alternatives;
+
+    /// Commits one of the alternatives of `level`.
+    fn push(&mut self, level: usize, choice: u32);
+
+    /// Takes back the choice last pushed, which was `choice` at `level`.
+    fn pop(&mut self, level: usize, choice: u32);
+}

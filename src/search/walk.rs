@@ -1,0 +1,131 @@
+//! The walk: depth first along a path, without recursion.
+//!
+//! The loop runs in slices of a bounded number of nodes, so that it needs no look at a clock or
+//! flag inside; between slices the path may be saved, measured or split. It allocates nothing.
+
+use super::{Alternatives, Path, Problem, Sink, Values};
+use std::ops::ControlFlow;
+
+/// How a slice of a walk ended.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Slice<F> {
+    /// The number of nodes was used up; there is more to visit.
+    Paused,
+    /// Everything on the path has been visited.
+    Exhausted,
+    /// The sink asked to end at a solution.
+    Found(F),
+}
+
+/// A problem together with the path that brought it to its state.
+#[derive(Debug, Clone)]
+pub struct Walk<P: Problem, V> {
+    problem: P,
+    values: V,
+    path: Path<P::Alternatives>,
+    /// Nodes visited.
+    pub nodes: u64,
+    /// Solutions met.
+    pub solutions: u64,
+    /// The largest number of choices made at once.
+    pub deepest: usize,
+}
+
+impl<P: Problem, V: Values> Walk<P, V> {
+    /// A walk along `path`, for a problem without choices.
+    pub fn new(mut problem: P, values: V, path: Path<P::Alternatives>) -> Self {
+        path.replay(&mut problem);
+        let deepest = path.level();
+        Self { problem, values, path, nodes: 0, solutions: 0, deepest }
+    }
+
+    /// A walk over the whole tree.
+    pub fn whole(mut problem: P, values: V) -> Self {
+        let path = Path::root(&mut problem);
+        Self::new(problem, values, path)
+    }
+
+    /// Where it stands.
+    pub fn path(&self) -> &Path<P::Alternatives> {
+        &self.path
+    }
+
+    /// The choices of all levels at the solution last met.
+    pub fn solution(&mut self) -> &[u32] {
+        self.path.parts().1
+    }
+
+    /// Gives away part of the work; see [`Path::split`].
+    pub fn split(&mut self) -> Option<Path<P::Alternatives>> {
+        self.path.split(&self.values)
+    }
+
+    /// The part of the whole tree this path has still to visit; see [`Path::remaining`].
+    pub fn remaining(&mut self) -> f64 {
+        self.path.remaining(&mut self.problem)
+    }
+
+    /// Exchanges the path; gives back the old one.
+    pub fn change(&mut self, path: Path<P::Alternatives>) -> Path<P::Alternatives> {
+        for (level, &choice) in self.path.choices().iter().enumerate().rev() {
+            self.problem.pop(level, choice);
+        }
+        path.replay(&mut self.problem);
+        std::mem::replace(&mut self.path, path)
+    }
+
+    /// Walks on for at most `budget` nodes.
+    pub fn run<S: Sink<P>>(&mut self, budget: u64, sink: &mut S) -> Slice<S::Found> {
+        let Self { problem, values, path, .. } = self;
+        let (path_level, choices, left) = path.parts();
+        let levels = choices.len();
+        if levels == 0 {
+            if left[0].is_empty() {
+                return Slice::Exhausted;
+            }
+            left[0] = P::Alternatives::EMPTY;
+            self.solutions += 1;
+            return match sink.solution(problem, choices) {
+                ControlFlow::Break(found) => Slice::Found(found),
+                ControlFlow::Continue(()) => Slice::Exhausted,
+            };
+        }
+        let mut level = *path_level;
+        let mut deepest = self.deepest;
+        let mut nodes = 0;
+        let end = loop {
+            if left[level].is_empty() {
+                if level == 0 {
+                    break Slice::Exhausted;
+                }
+                level -= 1;
+                problem.pop(level, choices[level]);
+                continue;
+            }
+            if nodes == budget {
+                break Slice::Paused;
+            }
+            nodes += 1;
+            let choice = values.take(level, &mut left[level]);
+            problem.push(level, choice);
+            choices[level] = choice;
+            level += 1;
+            deepest = deepest.max(level);
+            if level < levels {
+                left[level] = problem.alternatives(level);
+                continue;
+            }
+            self.solutions += 1;
+            let answer = sink.solution(problem, choices);
+            level -= 1;
+            problem.pop(level, choice);
+            if let ControlFlow::Break(found) = answer {
+                break Slice::Found(found);
+            }
+        };
+        *path_level = level;
+        self.deepest = deepest;
+        self.nodes += nodes;
+        end
+    }
+}
