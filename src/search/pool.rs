@@ -208,7 +208,7 @@ impl<A: Alternatives, F: Send, V: Values> Worker<'_, A, F, V> {
                 (walk.nodes, walk.solutions, walk.deepest) = (0, 0, path.level());
                 walk.change(path);
                 self.walk_part(&mut walk, &mut sink, &start);
-                if S::BREAKS {
+                if sink.breaks() {
                     let (nodes, solutions, deepest) = (walk.nodes, walk.solutions, walk.deepest);
                     lock(&shared.parts).push(Part { start, nodes, solutions, deepest });
                 }

@@ -10,7 +10,7 @@ pub trait Sink<P: Problem>: Send {
     type Found: Send;
 
     /// Whether it may ever break off.
-    const BREAKS: bool;
+    fn breaks(&self) -> bool;
 
     /// Takes the solution at which `problem` stands; `choices` are those of all levels.
     /// Breaking ends the search: of several such solutions the first of the walk counts.
@@ -27,7 +27,10 @@ pub struct Count;
 
 impl<P: Problem> Sink<P> for Count {
     type Found = Infallible;
-    const BREAKS: bool = false;
+
+    fn breaks(&self) -> bool {
+        false
+    }
 
     #[inline(always)]
     fn solution(&mut self, _: &P, _: &[u32]) -> ControlFlow<Infallible> {
@@ -43,7 +46,10 @@ pub struct First;
 
 impl<P: Problem> Sink<P> for First {
     type Found = Vec<u32>;
-    const BREAKS: bool = true;
+
+    fn breaks(&self) -> bool {
+        true
+    }
 
     fn solution(&mut self, _: &P, choices: &[u32]) -> ControlFlow<Vec<u32>> {
         ControlFlow::Break(choices.to_vec())

@@ -1,0 +1,39 @@
+//! The problems: what a search places where.
+//!
+//! * [`corner`]: colors on lattice points, one word of candidates a cell; a window of four is a
+//!   tile. Which tiles a window may still be is a [`rule`]: each once, two for each (NW, SW,
+//!   SE), or at least once. [`caps`] counts colors and dominoes and closes those used up, by far
+//!   the most valuable pruning.
+//! * [`wang`]: whole tiles in cells, the candidates being the AND of a few masks. Rings of
+//!   dominoes are Wang tiles with one color across ([`ring`]).
+//! * [`quotient`]: with a prescribed automorphism one choice decides an orbit of cells.
+//! * [`reduction`]: translations and the order of colors are removed before the search starts,
+//!   exactly, and multiplied back.
+//!
+//! [`Task`] states a question, [`solve`] answers it.
+
+pub mod caps;
+pub mod corner;
+pub mod corner_plan;
+mod impossible;
+pub mod quotient;
+pub mod reduction;
+pub mod ring;
+pub mod rule;
+pub mod sinks;
+pub mod solve;
+pub mod task;
+pub mod wang;
+pub mod wang_rule;
+
+pub use solve::{Answer, Counted, Settings, count, find, list};
+pub use task::{MAX_SEARCH_COLORS, Task, TaskError};
+
+use crate::search::Problem;
+
+/// A problem whose solutions are labels of a lattice.
+pub trait Labeled: Problem {
+    /// Writes the labels of the solution at which the problem stands, in the order of
+    /// [`crate::torus::Lattice`].
+    fn write_labels(&self, labels: &mut Vec<u8>);
+}

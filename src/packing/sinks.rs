@@ -1,0 +1,82 @@
+//! What to do with the packings a search meets: count them, keep the first, keep all, or keep
+//! one of each orbit.
+
+use super::Labeled;
+use crate::search::Sink;
+use crate::symmetry::Canonizer;
+use num_bigint::BigUint;
+use std::ops::ControlFlow;
+
+/// What is done with each packing.
+#[derive(Clone)]
+pub enum Purpose {
+    /// Nothing: the search counts.
+    Count,
+    /// The first ends the search.
+    First,
+    /// All are kept.
+    Keep,
+    /// The canonical ones of their orbits are counted and, if wanted, kept.
+    Orbits {
+        /// Tells the canonical ones.
+        canonizer: Box<Canonizer>,
+        /// Whether to keep them.
+        keep: bool,
+    },
+}
+
+/// Takes packings for a purpose.
+pub struct Leaves {
+    purpose: Purpose,
+    labels: Vec<u8>,
+    /// The packings kept, as labels, in no order.
+    pub kept: Vec<Vec<u8>>,
+    /// Canonical packings met.
+    pub orbits: u64,
+    /// The sum of the sizes of their orbits.
+    pub orbit_sizes: BigUint,
+}
+
+impl Leaves {
+    /// Nothing taken yet.
+    pub fn new(purpose: Purpose) -> Self {
+        let orbit_sizes = BigUint::ZERO;
+        Self { purpose, labels: Vec::new(), kept: Vec::new(), orbits: 0, orbit_sizes }
+    }
+}
+
+impl<P: Labeled> Sink<P> for Leaves {
+    type Found = Vec<u8>;
+
+    fn breaks(&self) -> bool {
+        matches!(self.purpose, Purpose::First)
+    }
+
+    fn solution(&mut self, problem: &P, _: &[u32]) -> ControlFlow<Vec<u8>> {
+        if matches!(self.purpose, Purpose::Count) {
+            return ControlFlow::Continue(());
+        }
+        problem.write_labels(&mut self.labels);
+        match &mut self.purpose {
+            Purpose::Count => {}
+            Purpose::First => return ControlFlow::Break(self.labels.clone()),
+            Purpose::Keep => self.kept.push(self.labels.clone()),
+            Purpose::Orbits { canonizer, keep } => {
+                if let Some(size) = canonizer.classify(&self.labels) {
+                    self.orbits += 1;
+                    self.orbit_sizes += size;
+                    if *keep {
+                        self.kept.push(self.labels.clone());
+                    }
+                }
+            }
+        }
+        ControlFlow::Continue(())
+    }
+
+    fn join(&mut self, mut other: Self) {
+        self.kept.append(&mut other.kept);
+        self.orbits += other.orbits;
+        self.orbit_sizes += other.orbit_sizes;
+    }
+}

@@ -1,0 +1,110 @@
+//! The question a search answers: which packings, of what, where, with what given beforehand.
+//!
+//! A task is checked once, here; the problems built from it may rely on what is checked.
+
+use super::impossible;
+use crate::symmetry::{Automorphism, AutomorphismError};
+use crate::tiles::{Kind, TileSet};
+use crate::torus::{Lattice, Order, Pins, Shape};
+
+/// The largest number of colors the search handles: the colors of a cell are one word.
+pub const MAX_SEARCH_COLORS: usize = 64;
+
+/// A question about packings.
+#[derive(Debug, Clone)]
+pub struct Task {
+    /// The tiles.
+    pub set: TileSet,
+    /// The torus.
+    pub shape: Shape,
+    /// Every tile at least once instead of exactly once.
+    pub cover: bool,
+    /// A symmetry the packing must have.
+    pub automorphism: Option<Automorphism>,
+    /// Labels given beforehand.
+    pub pins: Pins,
+    /// The visiting order; `None` leaves the choice to the program.
+    pub order: Option<Order>,
+}
+
+/// Why a question cannot be asked.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+pub enum TaskError {
+    /// The number of cells does not suit the set.
+    #[error("size {shape} has {cells} cells, but the set has {tiles} tiles{hint}")]
+    Size {
+        /// The torus asked for.
+        shape: Shape,
+        /// Its cells.
+        cells: u64,
+        /// The tiles of the set.
+        tiles: u64,
+        /// What would suit.
+        hint: &'static str,
+    },
+    /// Too many colors for the search.
+    #[error("{0} colors: the search handles up to {MAX_SEARCH_COLORS}")]
+    TooManyColors(usize),
+    /// Too many Wang tiles for the search.
+    #[error("{0} different tiles may occur: the search handles up to {1}")]
+    TooManyTiles(u64, usize),
+    /// A ring of dominoes has one side of length 1.
+    #[error("size {0}: dominoes form a ring, so one side must be 1")]
+    NotARing(Shape),
+    /// The automorphism does not suit.
+    #[error(transparent)]
+    Automorphism(#[from] AutomorphismError),
+    /// The pins alone break a rule.
+    #[error("contradictory pins: {0}")]
+    Pins(String),
+}
+
+impl Task {
+    /// A task without anything given beforehand.
+    pub fn new(set: TileSet, shape: Shape) -> Self {
+        let pins = Pins::free(Lattice { kind: set.kind(), shape });
+        Self { set, shape, cover: false, automorphism: None, pins, order: None }
+    }
+
+    /// The label positions of the packing asked for.
+    pub fn lattice(&self) -> Lattice {
+        Lattice { kind: self.set.kind(), shape: self.shape }
+    }
+
+    /// Whether any label is given beforehand.
+    pub fn has_pins(&self) -> bool {
+        self.pins.labels().iter().any(Option::is_some)
+    }
+
+    /// Checks that the question makes sense.
+    ///
+    /// # Errors
+    /// Too many colors, a size that does not suit the set, an automorphism that does not suit.
+    pub fn check(&self) -> Result<(), TaskError> {
+        let colors = self.set.colors().largest();
+        if colors > MAX_SEARCH_COLORS {
+            return Err(TaskError::TooManyColors(colors));
+        }
+        let ring = self.shape.width() == 1 || self.shape.height() == 1;
+        if self.set.kind() == Kind::Domino && !ring {
+            return Err(TaskError::NotARing(self.shape));
+        }
+        let (cells, tiles) = (self.shape.cells() as u64, self.set.size());
+        if if self.cover { cells < tiles } else { cells != tiles } {
+            let hint = match self.cover {
+                true => ": a covering needs at least as many cells",
+                false => ": a packing needs exactly as many cells",
+            };
+            return Err(TaskError::Size { shape: self.shape, cells, tiles, hint });
+        }
+        if let Some(automorphism) = &self.automorphism {
+            automorphism.check(&self.set, self.shape, self.cover)?;
+        }
+        Ok(())
+    }
+
+    /// Why there is plainly no solution, when a short argument shows it.
+    pub fn impossible(&self) -> Option<String> {
+        impossible::reason(self)
+    }
+}

@@ -1,0 +1,198 @@
+//! Which Wang tiles may still be placed: the law of the set, kept while the search runs.
+//!
+//! Tiles are numbered densely, in the order of the set, and a state is a few words.
+
+use crate::search::{Alternatives, Words};
+
+/// The law of a set of Wang tiles.
+pub trait WangRule<const N: usize>: Clone + Send {
+    /// Whether [`WangRule::open`] decides alone even where a tile brings images along.
+    const EXACT: bool;
+
+    /// The tiles that may be placed.
+    fn open(&self) -> Words<N>;
+
+    /// Places a tile.
+    fn take(&mut self, tile: u32);
+
+    /// Takes back a tile placed.
+    fn release(&mut self, tile: u32);
+
+    /// Whether what has been placed may belong to a solution.
+    fn holds(&self) -> bool {
+        true
+    }
+}
+
+/// Every tile exactly once.
+#[derive(Debug, Clone)]
+pub struct Once<const N: usize> {
+    free: Words<N>,
+}
+
+impl<const N: usize> Once<N> {
+    /// All of `tiles` tiles are free.
+    pub fn new(tiles: usize) -> Self {
+        Self { free: Words::below(tiles) }
+    }
+}
+
+impl<const N: usize> WangRule<N> for Once<N> {
+    const EXACT: bool = true;
+
+    #[inline(always)]
+    fn open(&self) -> Words<N> {
+        self.free
+    }
+
+    #[inline(always)]
+    fn take(&mut self, tile: u32) {
+        self.free.remove(tile);
+    }
+
+    #[inline(always)]
+    fn release(&mut self, tile: u32) {
+        self.free.insert(tile);
+    }
+}
+
+/// The classes of a compact set: the tiles with the same north and west colors, of which two
+/// are taken.
+#[derive(Debug, Clone)]
+struct Classes<const N: usize> {
+    of: Vec<u32>,
+    tiles: Vec<Words<N>>,
+    taken: Vec<u32>,
+}
+
+impl<const N: usize> Classes<N> {
+    /// `of` is the class of every tile.
+    fn new(of: Vec<u32>) -> Self {
+        let classes = of.iter().max().map_or(0, |&class| class as usize + 1);
+        let mut tiles = vec![Words::EMPTY; classes];
+        for (tile, &class) in of.iter().enumerate() {
+            tiles[class as usize].insert(tile as u32);
+        }
+        Self { of, tiles, taken: vec![0; classes] }
+    }
+
+    fn class(&self, tile: u32) -> usize {
+        self.of[tile as usize] as usize
+    }
+
+    /// Counts a new tile of its class; the class when it is full now.
+    fn fill(&mut self, tile: u32) -> Option<Words<N>> {
+        let class = self.class(tile);
+        self.taken[class] += 1;
+        (self.taken[class] == 2).then(|| self.tiles[class])
+    }
+
+    /// Takes back what `fill` counted; the class when it is no longer full.
+    fn empty(&mut self, tile: u32) -> Option<Words<N>> {
+        let class = self.class(tile);
+        self.taken[class] -= 1;
+        (self.taken[class] == 1).then(|| self.tiles[class])
+    }
+}
+
+/// Two different tiles of every class, each once: a compact set chosen by the search.
+#[derive(Debug, Clone)]
+pub struct Pairs<const N: usize> {
+    free: Words<N>,
+    full: Words<N>,
+    classes: Classes<N>,
+}
+
+impl<const N: usize> Pairs<N> {
+    /// Nothing is taken; `class` is the class of every tile.
+    pub fn new(class: Vec<u32>) -> Self {
+        let free = Words::below(class.len());
+        Self { free, full: Words::EMPTY, classes: Classes::new(class) }
+    }
+}
+
+impl<const N: usize> WangRule<N> for Pairs<N> {
+    const EXACT: bool = true;
+
+    #[inline(always)]
+    fn open(&self) -> Words<N> {
+        self.free & !self.full
+    }
+
+    fn take(&mut self, tile: u32) {
+        self.free.remove(tile);
+        if let Some(class) = self.classes.fill(tile) {
+            self.full |= class;
+        }
+    }
+
+    fn release(&mut self, tile: u32) {
+        self.free.insert(tile);
+        if let Some(class) = self.classes.empty(tile) {
+            self.full &= !class;
+        }
+    }
+}
+
+/// Every tile at least once, or two different ones of every class at least once.
+///
+/// The law is kept by counting the spare cells; see [`super::rule::Cover`].
+#[derive(Debug, Clone)]
+pub struct Cover<const N: usize> {
+    free: Words<N>,
+    full: Words<N>,
+    uses: Vec<u32>,
+    spare: i64,
+    classes: Option<Classes<N>>,
+}
+
+impl<const N: usize> Cover<N> {
+    /// Nothing is taken; `spare` is the number of cells beyond the number of tiles, `class` the
+    /// class of every tile for compact sets.
+    pub fn new(tiles: usize, spare: u64, class: Option<Vec<u32>>) -> Self {
+        Self {
+            free: Words::below(tiles),
+            full: Words::EMPTY,
+            uses: vec![0; tiles],
+            spare: spare as i64,
+            classes: class.map(Classes::new),
+        }
+    }
+}
+
+impl<const N: usize> WangRule<N> for Cover<N> {
+    const EXACT: bool = false;
+
+    fn open(&self) -> Words<N> {
+        let fresh = self.free & !self.full;
+        if self.spare > 0 { fresh | !self.free } else { fresh }
+    }
+
+    fn take(&mut self, tile: u32) {
+        self.uses[tile as usize] += 1;
+        if self.uses[tile as usize] > 1 {
+            self.spare -= 1;
+            return;
+        }
+        self.free.remove(tile);
+        if let Some(class) = self.classes.as_mut().and_then(|classes| classes.fill(tile)) {
+            self.full |= class;
+        }
+    }
+
+    fn release(&mut self, tile: u32) {
+        self.uses[tile as usize] -= 1;
+        if self.uses[tile as usize] > 0 {
+            self.spare += 1;
+            return;
+        }
+        self.free.insert(tile);
+        if let Some(class) = self.classes.as_mut().and_then(|classes| classes.empty(tile)) {
+            self.full &= !class;
+        }
+    }
+
+    fn holds(&self) -> bool {
+        self.spare >= 0
+    }
+}
