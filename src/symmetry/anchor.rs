@@ -58,10 +58,11 @@ fn preimage(pattern: Pattern, point: &PointSymmetry, kind: Kind) -> Pattern {
 pub(super) struct Locator {
     /// For every cell the places of the labels of its sides; unused ones are 0.
     sides: Vec<[usize; 4]>,
-    /// The different preimages of the anchor, sorted.
-    patterns: Vec<Pattern>,
-    /// Which sides the patterns fix: one mask, unless the group turns the anchor.
+    /// Which sides the preimages fix: one mask, unless the group turns the anchor.
     masks: Vec<[bool; 4]>,
+    /// The different preimages, sorted: the number of the mask, and the colors of the sides
+    /// that it fixes.
+    patterns: Vec<(usize, [u8; 4])>,
 }
 
 /// The cells found: for every pattern a list, linked through the cells.
@@ -92,15 +93,19 @@ impl Locator {
         let kind = lattice.kind;
         let wanted = anchor.pattern(kind, colors);
         let preimages: Vec<_> = points.map(|point| preimage(wanted, &point, kind)).collect();
-        let mut patterns = preimages.clone();
-        patterns.sort_unstable();
-        patterns.dedup();
-        let mut masks: Vec<_> = patterns.iter().map(mask).collect();
+        let mut masks: Vec<_> = preimages.iter().map(mask).collect();
         masks.sort_unstable();
         masks.dedup();
-        let numbered = preimages.iter().map(|preimage| Preimage {
-            pattern: patterns.partition_point(|pattern| pattern < preimage),
-            mask: masks.partition_point(|other| *other < mask(preimage)),
+        let coded = |preimage: &Pattern| {
+            let number = masks.partition_point(|other| *other < mask(preimage));
+            (number, preimage.map(Option::unwrap_or_default))
+        };
+        let mut patterns: Vec<_> = preimages.iter().map(coded).collect();
+        patterns.sort_unstable();
+        patterns.dedup();
+        let numbered = preimages.iter().map(coded).map(|code| Preimage {
+            pattern: patterns.partition_point(|pattern| *pattern < code),
+            mask: code.0,
         });
         let numbered = numbered.collect();
         let cells = (0..lattice.shape.cells() as u32).map(Cell);
@@ -126,8 +131,9 @@ impl Locator {
         for (number, mask) in self.masks.iter().enumerate() {
             let next = &mut found.next[number * self.sides.len()..];
             for (cell, places) in self.sides.iter().enumerate() {
-                let shown: Pattern = std::array::from_fn(|i| mask[i].then(|| labels[places[i]]));
-                if let Ok(pattern) = self.patterns.binary_search(&shown) {
+                let shown = |i: usize| if mask[i] { labels[places[i]] } else { 0 };
+                let code = (number, std::array::from_fn(shown));
+                if let Ok(pattern) = self.patterns.binary_search(&code) {
                     next[cell] = found.first[pattern];
                     found.first[pattern] = cell;
                 }

@@ -89,7 +89,7 @@ impl Canonizer {
     pub fn classify(&mut self, labels: &[u8]) -> Option<u64> {
         self.locator.locate(labels, &mut self.found);
         let mut stabilizer = 0;
-        for candidate in &self.candidates {
+        for &candidate in &self.candidates {
             for cell in self.locator.cells(&self.found, candidate.preimage) {
                 match self.compare(candidate, cell, labels, labels) {
                     Ordering::Less => return None,
@@ -106,7 +106,7 @@ impl Canonizer {
         let mut found = self.locator.room();
         self.locator.locate(labels, &mut found);
         let mut least: Option<Vec<u8>> = None;
-        for candidate in &self.candidates {
+        for &candidate in &self.candidates {
             for cell in self.locator.cells(&found, candidate.preimage) {
                 match &mut least {
                     Some(least) => {
@@ -123,33 +123,55 @@ impl Canonizer {
     }
 
     /// How the image that has the image of `cell` at the origin compares with `other`.
-    fn compare(&self, candidate: &Candidate, cell: usize, labels: &[u8], other: &[u8]) -> Ordering {
-        self.image(candidate, cell, labels).cmp(other.iter().copied())
+    fn compare(&self, candidate: Candidate, cell: usize, labels: &[u8], other: &[u8]) -> Ordering {
+        let odd = self.lattice.per_cell() - 1;
+        let recoloring = &self.recolorings[candidate.recoloring..][..2 * self.stride];
+        let mut rest = other;
+        // Written out, because most comparisons end after one or two labels.
+        for sources in self.runs(candidate, cell) {
+            let (here, later) = rest.split_at(sources.len());
+            rest = later;
+            for (place, (&source, theirs)) in sources.iter().zip(here).enumerate() {
+                let start = (place & odd) * self.stride;
+                let ordering = recoloring[start + usize::from(labels[source])].cmp(theirs);
+                if ordering.is_ne() {
+                    return ordering;
+                }
+            }
+        }
+        Ordering::Equal
     }
 
     /// The labels of the image that has the image of `cell` at the origin, place by place.
     fn image<'a>(
         &'a self,
-        candidate: &Candidate,
+        candidate: Candidate,
         cell: usize,
         labels: &'a [u8],
     ) -> impl Iterator<Item = u8> + 'a {
+        let odd = self.lattice.per_cell() - 1;
+        let recoloring = &self.recolorings[candidate.recoloring..][..2 * self.stride];
+        let stride = self.stride;
+        self.runs(candidate, cell).flat_map(move |sources| {
+            sources.iter().enumerate().map(move |(place, &source)| {
+                recoloring[(place & odd) * stride + usize::from(labels[source])]
+            })
+        })
+    }
+
+    /// The places the labels of an image come from, in order, in runs that start at a cell: the
+    /// rows from the one that comes to the north on, each from the column that comes to the
+    /// west on.
+    fn runs(&self, candidate: Candidate, cell: usize) -> impl Iterator<Item = &[usize]> + use<'_> {
         let moves = &self.isometries[candidate.isometry];
         let (row, column) = moves.cells[cell];
         let per_cell = self.lattice.per_cell();
         let width = per_cell * self.lattice.shape.width();
         let seam = per_cell * column;
-        let odd = per_cell - 1;
-        let recoloring = &self.recolorings[candidate.recoloring..][..2 * self.stride];
-        let stride = self.stride;
-        // The rows from the one that comes to the north on, each from the column that comes to
-        // the west on.
         let (north, south) = moves.sources.split_at(width * row);
         south.chunks_exact(width).chain(north.chunks_exact(width)).flat_map(move |sources| {
             let (west, east) = sources.split_at(seam);
-            east.iter().chain(west).enumerate().map(move |(place, &source)| {
-                recoloring[(place & odd) * stride + usize::from(labels[source])]
-            })
+            [east, west]
         })
     }
 }

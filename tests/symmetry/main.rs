@@ -11,8 +11,7 @@ use oracle::{pairs, problem};
 use proptest::prelude::*;
 use std::collections::BTreeSet;
 use tilepack::symmetry::{
-    Anchor, Automorphism, ColorMap, Group, GroupError, Isometry, burnside, by_canonical_form,
-    expand,
+    Anchor, ColorMap, Group, GroupError, Isometry, Symmetry, burnside, by_canonical_form, expand,
 };
 use tilepack::tiles::{Kind, Members, TileId};
 
@@ -22,8 +21,8 @@ fn corner_complete_two_colors_is_one_packing() {
     assert_eq!(check(&problem), (32, 1));
     assert_eq!(problem.group().order(), BigUint::from(16u32 * 2 * 8));
     let packings = problem.packings();
-    for text in ["2,0:1,0", "0,2:1,0", "2,2:1,0"] {
-        check_automorphism(&problem, &packings, text);
+    for (text, found) in [("2,0:1,0", (0, 0)), ("0,2:1,0", (0, 0)), ("2,2:1,0", (32, 1))] {
+        assert_eq!(check_automorphism(&problem, &packings, text), found, "{text}");
     }
 }
 
@@ -32,12 +31,9 @@ fn corner_compact_two_colors() {
     let problem = problem(Kind::Corner, (2, 2), Members::Compact, (4, 4));
     let group = problem.group();
     assert_eq!(group.order(), BigUint::from(16u32 * 2 * 2));
-    let (packings, orbits) = check(&problem);
-    assert!(packings > 0 && orbits > 0);
-    let packings = problem.packings();
-    let found = ["2,0:1,0", "0,2:1,0", "2,2:1,0"]
-        .map(|text| check_automorphism(&problem, &packings, text).0);
-    assert!(found.iter().any(|&count| count > 0), "{found:?}");
+    // Two tiles for each of eight (NW, SW, SE) are all sixteen: the complete set.
+    assert_eq!(check(&problem), (32, 1));
+    assert_eq!(check_automorphism(&problem, &problem.packings(), "2,2:1,0"), (32, 1));
 }
 
 #[test]
@@ -49,17 +45,23 @@ fn corner_compact_on_a_torus_that_is_not_square() {
 
 #[test]
 fn wang_compact() {
-    for size in [(4, 2), (2, 4), (8, 1)] {
+    let sizes = [((4, 2), (1408, 60)), ((2, 4), (1408, 60)), ((8, 1), (576, 20))];
+    for (size, found) in sizes {
         let problem = problem(Kind::Wang, (2, 2), Members::Compact, size);
         assert_eq!(problem.group().order(), BigUint::from(8u32 * 4));
-        let (packings, _) = check(&problem);
-        assert!(packings > 0);
-        if size == (4, 2) {
-            let packings = problem.packings();
-            let texts = ["2,0:1,0", "2,0:1,0/0,1", "2,0:0,1/1,0", "0,1:1,0", "2,1:0,1/1,0"];
-            let found = texts.map(|text| check_automorphism(&problem, &packings, text).0);
-            assert!(found.iter().any(|&count| count > 0), "{found:?}");
-        }
+        assert_eq!(check(&problem), found);
+    }
+    let problem_4x2 = problem(Kind::Wang, (2, 2), Members::Compact, (4, 2));
+    let packings = problem_4x2.packings();
+    let automorphisms = [
+        ("2,0:1,0", (80, 7)),
+        ("2,0:1,0/0,1", (32, 2)),
+        ("2,0:0,1/1,0", (64, 6)),
+        ("0,1:1,0", (48, 4)),
+        ("2,1:0,1/1,0", (48, 4)),
+    ];
+    for (text, found) in automorphisms {
+        assert_eq!(check_automorphism(&problem_4x2, &packings, text), found, "{text}");
     }
     for (colors, size) in [((1, 2), (2, 2)), ((2, 1), (2, 2)), ((1, 3), (3, 2)), ((3, 1), (2, 3))] {
         check(&problem(Kind::Wang, colors, Members::Compact, size));
@@ -87,7 +89,7 @@ fn domino_rings() {
     assert_eq!(check(&ring(1, (1, 1))), (1, 1));
     assert_eq!(check(&ring(2, (4, 1))), (4, 1));
     assert_eq!(check(&ring(2, (1, 4))), (4, 1));
-    assert_eq!(check(&ring(3, (9, 1))).0, 216);
+    assert_eq!(check(&ring(3, (9, 1))), (216, 2));
     let three = ring(3, (9, 1));
     assert_eq!(three.group().order(), BigUint::from(9u32 * 6 * 2));
     let packings = three.packings();
@@ -106,8 +108,7 @@ fn domino_rings() {
 fn pruned_sets() {
     // 00 11 22 02 20 12 21: 2 joined with 0 and with 1, all with loops.
     let dominoes = problem(Kind::Domino, (3, 3), pairs(&[(0, 1)]), (7, 1));
-    let (packings, orbits) = check(&dominoes);
-    assert!(packings > 0 && orbits > 0);
+    assert_eq!(check(&dominoes), (14, 1));
     assert_eq!(dominoes.group().order(), BigUint::from(7u32 * 2 * 2));
     check(&problem(Kind::Domino, (4, 4), pairs(&[(0, 1), (2, 3), (0, 2)]), (10, 1)));
     check(&problem(Kind::Corner, (2, 2), pairs(&[(0, 1)]), (2, 1)));
@@ -199,15 +200,60 @@ fn wang_complete_two_colors() {
     let anchor = Anchor::Tile(TileId(0));
     let orbits = by_canonical_form(&group, anchor, pinned.iter().map(|labels| labels.as_slice()));
     assert_eq!(orbits.values().sum::<u64>(), 203_520);
-    assert_eq!(burnside(&group, &packings), Some(BigUint::from(orbits.len())));
+    assert_eq!(orbits.len(), 538);
+    assert_eq!(burnside(&group, &packings), Some(BigUint::from(538u32)));
     let union: BTreeSet<_> = orbits.keys().flat_map(|form| expand(&group, form)).collect();
     assert!(union.iter().eq(&packings), "the representatives give back every packing");
 
     // The palettes exchanged by a transposition, with an automorphism that tells them apart.
-    for text in ["2,0:1,0", "2,0:1,0/0,1", "0,2:0,1/1,0", "2,2:1,0/0,1", "1,1:1,0/0,1"] {
-        let automorphism = Automorphism::parse(text, problem.set.colors(), problem.shape).unwrap();
-        if automorphism.check(&problem.set, problem.shape, false).is_ok() {
-            check_automorphism(&problem, &packings, text);
+    let automorphisms = [
+        ("2,0:1,0", (1536, 18)),
+        ("2,0:1,0/0,1", (1536, 17)),
+        ("0,2:0,1/1,0", (1536, 17)),
+        ("2,2:1,0/0,1", (1792, 25)),
+        ("2,2:1,0", (1024, 11)),
+    ];
+    for (text, found) in automorphisms {
+        assert_eq!(check_automorphism(&problem, &packings, text), found, "{text}");
+    }
+}
+
+#[test]
+fn coverings_have_several_tiles_that_may_lie_at_the_origin() {
+    let problems = [
+        problem(Kind::Domino, (2, 2), Members::Complete, (7, 1)),
+        problem(Kind::Wang, (1, 2), Members::Complete, (3, 2)),
+        problem(Kind::Wang, (2, 2), tiles(&[0, 5, 10, 15]), (3, 3)),
+        problem(Kind::Corner, (2, 2), tiles(&[0b0000, 0b0011, 0b1100, 0b1111]), (5, 3)),
+        problem(Kind::Corner, (2, 2), tiles(&[0b0000, 0b0001, 0b0010, 0b0100, 0b1000]), (4, 4)),
+    ];
+    for problem in problems {
+        let coverings = problem.arrays(|labels| problem.is_covering(labels));
+        assert!(check_laws(&problem, &problem.group(), &coverings) > 0, "{problem:?}");
+    }
+}
+
+/// Compact packings on a square torus are complete (C = 2) or out of reach (C = 8), but any
+/// array of labels shows how often each class occurs, and with how many free sides.
+#[test]
+fn compact_groups_keep_the_classes_and_nothing_else_does() {
+    for (kind, colors) in [(Kind::Corner, (3, 3)), (Kind::Wang, (3, 3)), (Kind::Wang, (2, 3))] {
+        let problem = problem(kind, colors, Members::Compact, (5, 5));
+        let radices = problem.radices();
+        let random = |k: u32| {
+            let label =
+                |(i, &r): (u32, &u8)| ((i + 7 * k).wrapping_mul(2_654_435_761) >> 13) as u8 % r;
+            (0..).zip(&radices).map(label).collect::<Vec<u8>>()
+        };
+        let arrays: Vec<_> = (0..10).map(random).collect();
+        let points: BTreeSet<_> = problem.group().points().collect();
+        for point in all_points(&problem) {
+            let kept = arrays.iter().all(|labels| {
+                let image = Symmetry { point: point.clone(), rows: 2, columns: 1 }
+                    .image(problem.lattice(), labels);
+                problem.class_counts(&image) == problem.class_counts(labels)
+            });
+            assert_eq!(kept, points.contains(&point), "{point:?}");
         }
     }
 }

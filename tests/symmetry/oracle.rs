@@ -1,6 +1,6 @@
 //! Packings of tiny problems, found by trying every array of labels and reading the definition.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use tilepack::symmetry::{Anchor, Automorphism, Group};
 use tilepack::tiles::{Color, Colors, Kind, Members, TileId, TileSet};
 use tilepack::torus::{Lattice, Shape};
@@ -80,29 +80,47 @@ impl Problem {
                 let sides = &sides[..self.set.kind().sides().len()];
                 pairs.iter().all(|(a, b)| !sides.contains(&a.0) || !sides.contains(&b.0))
             }),
-            // Different tiles, as many as two for each class, and two for each class that occurs.
-            Members::Compact => {
-                let mut classes = BTreeMap::<_, u32>::new();
-                for &tile in &tiles {
-                    let sides = self.set.kind().unpack(tile, self.set.colors());
-                    let class = match self.set.kind() {
-                        Kind::Corner => [sides[3], sides[2], sides[1]],
-                        _ => [sides[0], sides[3], 0],
-                    };
-                    *classes.entry(class).or_default() += 1;
-                }
-                classes.values().all(|&count| count == 2)
-            }
+            // All tiles are different, and as many as two for each class.
+            Members::Compact => self.class_counts(labels).iter().all(|&count| count == (2, 2)),
         }
     }
 
-    /// All packings, by trying every array of labels.
+    /// For every class of a compact set that occurs, how many tiles and how many different ones
+    /// are in it, sorted.
+    pub(crate) fn class_counts(&self, labels: &[u8]) -> Vec<(usize, usize)> {
+        let mut classes = BTreeMap::<_, Vec<_>>::new();
+        for tile in self.tiles(labels) {
+            let sides = self.set.kind().unpack(tile, self.set.colors());
+            let class = match self.set.kind() {
+                Kind::Corner => [sides[3], sides[2], sides[1]],
+                _ => [sides[0], sides[3], 0],
+            };
+            classes.entry(class).or_default().push(tile);
+        }
+        let different = |tiles: &Vec<TileId>| tiles.iter().collect::<BTreeSet<_>>().len();
+        let mut counts: Vec<_> = classes.values().map(|t| (t.len(), different(t))).collect();
+        counts.sort_unstable();
+        counts
+    }
+
+    /// Whether every tile of the set occurs and no other does.
+    pub(crate) fn is_covering(&self, labels: &[u8]) -> bool {
+        let tiles: BTreeSet<_> = self.tiles(labels).into_iter().collect();
+        tiles.into_iter().eq(self.set.allowed())
+    }
+
+    /// All packings.
     pub(crate) fn packings(&self) -> Vec<Vec<u8>> {
+        self.arrays(|labels| self.is_packing(labels))
+    }
+
+    /// All arrays of labels that are as they should be, by trying every one.
+    pub(crate) fn arrays(&self, is_wanted: impl Fn(&[u8]) -> bool) -> Vec<Vec<u8>> {
         let radices = self.radices();
         let mut found = Vec::new();
         let mut labels = vec![0; radices.len()];
         loop {
-            if self.is_packing(&labels) {
+            if is_wanted(&labels) {
                 found.push(labels.clone());
             }
             let Some(i) = (0..labels.len()).rev().find(|&i| labels[i] + 1 < radices[i]) else {
