@@ -6,8 +6,9 @@
 //! Every element of the stabilizer leaves the anchor at the origin, so it is among the elements
 //! tried and is counted on the way; most images differ from the packing after a few labels.
 //!
-//! In the least image the colors first appear in increasing order, row by row, whenever the
-//! group has all color permutations that fix the anchor: a search may then cut by that rule.
+//! With all color permutations in the group and the anchor tile 0 (or the class of zeros), the
+//! colors of a canonical form first appear in increasing order, in the order of the labels (not
+//! in the order a search visits cells): a search may then cut by that rule and miss no orbit.
 
 use super::anchor::{Found, Locator, Preimage};
 use super::{Anchor, Group, PointSymmetry};
