@@ -66,6 +66,17 @@ impl ColorMap {
         Self { horizontal: invert(&self.horizontal), vertical: invert(&self.vertical) }
     }
 
+    /// The map with the two palettes exchanged; they must be of one size.
+    pub fn exchanged(&self) -> Self {
+        Self { horizontal: self.vertical.clone(), vertical: self.horizontal.clone() }
+    }
+
+    /// The map as tiles with one palette see it, in [`ColorMap::tile`] as everywhere: the
+    /// vertical permutation for both.
+    pub fn of_one_palette(&self) -> Self {
+        Self { horizontal: self.vertical.clone(), vertical: self.vertical.clone() }
+    }
+
     /// Whether it changes nothing.
     pub fn is_identity(&self) -> bool {
         let fixes = |images: &[u8]| images.iter().enumerate().all(|(c, &i)| c == usize::from(i));
