@@ -126,10 +126,12 @@ fn visits(
     quotient: &Quotient,
 ) -> Vec<Cell> {
     let mut visits = order.cells(shape);
+    let row_of = |cell| shape.position(cell).0 as i64;
+    let column_of = |cell| shape.position(cell).1 as i64;
     if upward {
         for cell in &mut visits {
-            let (row, column) = shape.position(*cell);
-            *cell = shape.cell(shape.height() - 1 - row, column);
+            // From row 1 to the north, so that the window at the origin is among the first.
+            *cell = shape.step(Cell(0), 1 - row_of(*cell), column_of(*cell));
         }
     }
     visits.sort_by_key(|&cell| !quotient.orbit(cell).any(|cell| fixed[cell.index()]));

@@ -255,8 +255,7 @@ fn corner(
     let compact = task.set.is_compact();
     let cover = |rows| rule::Cover::new(rows, spare, compact.then_some(2));
     match (task.automorphism.is_some(), task.cover, compact) {
-        (false, true, _) => search.over(Corner::<_, false>::new(task, reduction, cover)),
-        (true, true, _) => search.over(Corner::<_, true>::new(task, reduction, cover)),
+        (_, true, _) => search.over(Corner::<_, true>::new(task, reduction, cover)),
         (false, _, true) => search.over(Corner::<_, false>::new(task, reduction, rule::Pairs::new)),
         (true, _, true) => search.over(Corner::<_, true>::new(task, reduction, rule::Pairs::new)),
         (false, _, false) => search.over(Corner::<_, false>::new(task, reduction, rule::Once::new)),
@@ -282,8 +281,7 @@ fn wang(
         2 => wang_words::<2>(task, reduction, shown, search),
         3..=4 => wang_words::<4>(task, reduction, shown, search),
         5..=16 => wang_words::<16>(task, reduction, shown, search),
-        17..=64 => wang_words::<64>(task, reduction, shown, search),
-        65..=256 => wang_words::<256>(task, reduction, shown, search),
+        17..=256 => wang_words::<256>(task, reduction, shown, search),
         _ => Err(TaskError::TooManyTiles(tiles, MAX_WANG_TILES).into()),
     }
 }
@@ -304,24 +302,17 @@ fn wang_words<const N: usize>(
     };
     let tiles = || set.size() as usize;
     let spare = task.shape.cells() as u64 - set.size();
-    let quotient = task.automorphism.is_some();
     if task.cover {
         let class = set.is_compact().then(class);
         let count = class.as_ref().map_or_else(tiles, Vec::len);
         let rule = wang_rule::Cover::<N>::new(count, spare, class);
-        match quotient {
-            true => search.over(Wang::<N, _, true>::new(task, reduction, shown, rule)),
-            false => search.over(Wang::<N, _, false>::new(task, reduction, shown, rule)),
-        }
+        search.over(Wang::<N, _, true>::new(task, reduction, shown, rule))
     } else if set.is_compact() {
         let rule = wang_rule::Pairs::<N>::new(class());
-        match quotient {
-            true => search.over(Wang::<N, _, true>::new(task, reduction, shown, rule)),
-            false => search.over(Wang::<N, _, false>::new(task, reduction, shown, rule)),
-        }
+        search.over(Wang::<N, _, true>::new(task, reduction, shown, rule))
     } else {
         let rule = wang_rule::Once::<N>::new(tiles());
-        match quotient {
+        match task.automorphism.is_some() {
             true => search.over(Wang::<N, _, true>::new(task, reduction, shown, rule)),
             false => search.over(Wang::<N, _, false>::new(task, reduction, shown, rule)),
         }
