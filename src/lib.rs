@@ -1,4 +1,6 @@
 //! Tile packings and the search for them.
+pub mod store;
 pub mod symmetry;
 pub mod tiles;
 pub mod torus;
+pub mod verify;

@@ -9,9 +9,11 @@
 pub mod lattice;
 pub mod order;
 pub mod packing;
+pub mod pins;
 pub mod shape;
 
 pub use lattice::Lattice;
 pub use order::Order;
 pub use packing::Packing;
+pub use pins::Pins;
 pub use shape::{Cell, Shape, ShapeError};
