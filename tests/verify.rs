@@ -231,7 +231,7 @@ const WRONG: &[Wrong] = &[
         "fewer tiles than cells",
         CORNER_2,
         |p| p.tiles.truncate(15),
-        "size 4x4 has 16 cells, but 15 tiles are given",
+        "size 4x4 has 16 cells, but there are 15 tiles",
     ),
     (
         "dominoes on a torus with two directions",
@@ -528,4 +528,24 @@ proptest! {
         packing.tiles.rotate_left(rows * packing.shape.width());
         prop_assert_eq!(check(&packing).is_valid(), oracle(&packing), "{}", check(&packing));
     }
+}
+
+/// A mistake elsewhere must not hide in verify, so it may use nothing but the data types.
+#[test]
+fn verify_stands_alone() {
+    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/src/verify");
+    let mut files = 0;
+    for file in std::fs::read_dir(folder).unwrap() {
+        let text = std::fs::read_to_string(file.unwrap().path()).unwrap();
+        let code = text.split("#[cfg(test)]").next().unwrap();
+        for line in code.lines().filter(|line| !line.trim_start().starts_with("//")) {
+            for used in line.split("crate::").skip(1) {
+                assert!(used.starts_with("tiles::") || used.starts_with("torus::"), "{line}");
+            }
+            let foreign = ["Lattice", "formula", "unpack", ".allows", ".allowed", "set.size"];
+            assert!(!foreign.iter().any(|word| line.contains(word)), "{line}");
+        }
+        files += 1;
+    }
+    assert!(files >= 5);
 }

@@ -186,12 +186,9 @@ fn unwritable(file: &Path, error: &io::Error) -> StoreError {
 
 /// The error without the random name of the temporary file, which tells nobody anything.
 fn plain(error: &io::Error) -> String {
-    match error.get_ref().and_then(std::error::Error::source) {
-        Some(source) => source.to_string(),
-        None => match error.raw_os_error() {
-            Some(code) => io::Error::from_raw_os_error(code).to_string(),
-            None if error.get_ref().is_some() => error.to_string(),
-            None => error.kind().to_string(),
-        },
+    let mut message = error.to_string();
+    if let Some(path) = message.find(" at path \"") {
+        message.truncate(path);
     }
+    message
 }

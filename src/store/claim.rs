@@ -61,8 +61,10 @@ impl Claim {
                 return Ok(differ("set", file, other));
             }
         }
-        let word = |cover: bool| if cover { "covering" } else { "packing" }.to_owned();
-        Ok(self.cover.and_then(|asked| differ("a", word(cover), format!("a {}", word(asked)))))
+        Ok(self.cover.filter(|&asked| asked != cover).map(|asked| {
+            let word = |cover| if cover { "covering" } else { "packing" };
+            format!("a {} in the file, but a {} was asked for", word(cover), word(asked))
+        }))
     }
 }
 

@@ -18,6 +18,8 @@ pub(super) struct Grid<'a> {
     input: &'a Input,
     pub(super) header: Claim,
     pub(super) shape: Shape,
+    /// The byte offset of the first line that says anything.
+    start: usize,
     /// The byte offset and text of every line that holds cells.
     rows: Vec<(usize, &'a str)>,
 }
@@ -26,6 +28,7 @@ impl<'a> Grid<'a> {
     /// Finds the first line and the rows, which must have the same length.
     pub(super) fn split(input: &'a Input) -> Result<Self, StoreError> {
         let mut lines = lines(input).peekable();
+        let start = lines.peek().map_or(0, |line| line.0);
         let is_header = |word: &str| word.contains('=') || word == "cover";
         let header = lines.next_if(|(_, line)| words(line).next().is_some_and(|w| is_header(w.1)));
         let header = header.map_or(Ok(Claim::default()), |line| read_header(input, line))?;
@@ -44,7 +47,7 @@ impl<'a> Grid<'a> {
         }
         let shape = Shape::new(width as u64, rows.len() as u64);
         let shape = shape.map_err(|error| input.error(error.to_string()))?;
-        Ok(Self { input, header, shape, rows })
+        Ok(Self { input, header, shape, start, rows })
     }
 
     /// Passes on the cells row by row; `.` is a free cell where `free` allows it.
@@ -134,18 +137,25 @@ fn read_members(text: &str) -> Result<Members, String> {
     }
     match notation::parse_members(text) {
         Ok(Some(members)) => Ok(members),
-        Ok(None) => Err(format!(
+        // No pairs at all: the command line has no use for it, but a set may be like that.
+        _ if text == "pruned:" => Ok(Members::Pruned(Vec::new())),
+        _ => Err(format!(
             "set '{text}': expected complete, compact, pruned:A-B,C-D,... or tiles:N,N,..."
         )),
-        Err(error) => Err(error.to_string()),
     }
 }
 
 /// Reads the packing of a grid.
 pub(super) fn read(input: &Input, claim: &Claim) -> Result<Solution, StoreError> {
     let grid = Grid::split(input)?;
-    let first = grid.rows.first().map_or(0, |row| row.0);
-    let wrong = |message: &dyn Display| input.error_at(first, message.to_string());
+    let wrong = |message: &dyn Display| input.error_at(grid.start, message.to_string());
+    let first = grid.rows.first().and_then(|(row, line)| Some((row, words(line).next()?)));
+    if let Some((row, (offset, word))) = first
+        && decimal(word).is_none()
+    {
+        let message = format!("'{word}': expected '{{', as JSON begins, or a number of a grid");
+        return Err(input.error_at(row + offset, message));
+    }
     let said = grid.header.clone().or(claim);
     let (Some(kind), Some(colors)) = (said.kind, said.colors) else {
         let what =
@@ -173,7 +183,7 @@ pub(super) fn read(input: &Input, claim: &Claim) -> Result<Solution, StoreError>
         grid.cells(&set, false, |_, tile| tiles.extend(tile.map(TileId)))?;
         Packing { set, shape: grid.shape, cover, tiles }
     };
-    let line = 1 + input.text()[..first].bytes().filter(|&byte| byte == b'\n').count();
+    let line = 1 + input.text()[..grid.start].bytes().filter(|&byte| byte == b'\n').count();
     Ok(Solution { packing, provenance: Value::Null, line })
 }
 

@@ -191,7 +191,7 @@ impl<'de, F: FnMut(Cell, Option<u64>)> Visitor<'de> for Rows<F> {
     type Value = ();
 
     fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{} rows of {} tiles", self.shape.height(), self.shape.width())
+        f.write_str("a list of rows of tiles")
     }
 
     fn visit_seq<A: SeqAccess<'de>>(mut self, mut rows: A) -> Result<(), A::Error> {
@@ -199,12 +199,12 @@ impl<'de, F: FnMut(Cell, Option<u64>)> Visitor<'de> for Rows<F> {
         for row in 0..height {
             let seed = Row { rows: &mut self, row };
             if rows.next_element_seed(seed)?.is_none() {
-                let message = format!("{row} rows of tiles, but the height is {height}");
+                let message = format!("{row} of {height} rows of tiles, the height");
                 return Err(de::Error::custom(message));
             }
         }
         if rows.next_element::<IgnoredAny>()?.is_some() {
-            let message = format!("more than {height} rows of tiles, but the height is {height}");
+            let message = format!("more rows of tiles than {height}, the height");
             return Err(de::Error::custom(message));
         }
         Ok(())
@@ -228,7 +228,7 @@ impl<'de, F: FnMut(Cell, Option<u64>)> Visitor<'de> for Row<'_, F> {
     type Value = ();
 
     fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "row {}, a list of {} tiles", self.row, self.rows.shape.width())
+        write!(f, "row {}, a list of tiles", self.row)
     }
 
     fn visit_seq<A: SeqAccess<'de>>(self, mut tiles: A) -> Result<(), A::Error> {
@@ -236,13 +236,13 @@ impl<'de, F: FnMut(Cell, Option<u64>)> Visitor<'de> for Row<'_, F> {
         let width = shape.width();
         for column in 0..width {
             let Some(tile) = tiles.next_element_seed(self.rows.cell)? else {
-                let message = format!("row {row} has {column} tiles, but the width is {width}");
+                let message = format!("row {row} has {column} of {width} tiles, the width");
                 return Err(de::Error::custom(message));
             };
             (self.rows.take)(shape.cell(row, column), tile);
         }
         if tiles.next_element::<IgnoredAny>()?.is_some() {
-            let message = format!("row {row} has more than {width} tiles, the width");
+            let message = format!("row {row} has more tiles than {width}, the width");
             return Err(de::Error::custom(message));
         }
         Ok(())

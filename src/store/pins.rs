@@ -11,6 +11,7 @@ use super::solutions::object;
 use super::{Input, StoreError};
 use crate::tiles::{Colors, Kind, Members, TileId, TileSet};
 use crate::torus::{Cell, Lattice, Pins, Shape};
+use std::fmt::Display;
 
 /// The pins of a file, for packings of `set` on `lattice`.
 ///
@@ -74,23 +75,20 @@ impl Pinning<'_> {
         colors: Option<Colors>,
         shape: Shape,
     ) -> Result<(), StoreError> {
-        let wanted = self.set.kind();
-        if let Some(kind) = kind.filter(|&kind| kind != wanted) {
-            return Err(self
-                .input
-                .error(format!("pins {kind} tiles, but the problem has {wanted}")));
+        let (set, size) = (self.set, self.lattice.shape);
+        let differ = |what: &str, file: &dyn Display, wanted: &dyn Display| {
+            let message = format!("{what} {file} in the file, but {wanted} in the problem");
+            Err(self.input.error(message))
+        };
+        if let Some(kind) = kind.filter(|&kind| kind != set.kind()) {
+            return differ("kind", &kind, &set.kind());
         }
-        if shape != self.lattice.shape {
-            let wanted = self.lattice.shape;
-            return Err(self
-                .input
-                .error(format!("pins for size {shape}, but the problem is {wanted}")));
+        if shape != size {
+            return differ("size", &shape, &size);
         }
-        let wanted = self.set.colors();
-        let colors = colors.map(|colors| ring_colors(self.set.kind(), shape, colors));
-        if let Some(colors) = colors.filter(|&colors| colors != wanted) {
-            let message = format!("pins for colors {colors}, but the problem has {wanted}");
-            return Err(self.input.error(message));
+        let colors = colors.map(|colors| ring_colors(set.kind(), shape, colors));
+        if let Some(colors) = colors.filter(|&colors| colors != set.colors()) {
+            return differ("colors", &colors, &set.colors());
         }
         Ok(())
     }

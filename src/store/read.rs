@@ -100,7 +100,7 @@ impl Input {
             file: self.file.clone(),
             line: before.bytes().filter(|&byte| byte == b'\n').count() + 1,
             column: before[line_start..].chars().filter(|&c| c != '\u{feff}').count() + 1,
-            message: message.into(),
+            message: one_line(message.into()),
         }
     }
 
@@ -110,13 +110,31 @@ impl Input {
         (row, column): (usize, usize),
         message: impl Into<String>,
     ) -> StoreError {
-        StoreError::Cell { file: self.file.clone(), row, column, message: message.into() }
+        let message = one_line(message.into());
+        StoreError::Cell { file: self.file.clone(), row, column, message }
     }
 
     /// An error of the file as a whole.
     pub(super) fn error(&self, message: impl Into<String>) -> StoreError {
-        StoreError::Content { file: self.file.clone(), message: message.into() }
+        StoreError::Content { file: self.file.clone(), message: one_line(message.into()) }
     }
+}
+
+/// A message that quotes a file may be of any length and hold anything; people get one line.
+fn one_line(message: String) -> String {
+    const LONGEST: usize = 300;
+    let mut line = String::with_capacity(message.len().min(4 * LONGEST));
+    for (i, c) in message.chars().enumerate() {
+        match c {
+            _ if i == LONGEST => {
+                line.push('…');
+                break;
+            }
+            c if c.is_control() => line.extend(c.escape_default()),
+            c => line.push(c),
+        }
+    }
+    line
 }
 
 #[cfg(test)]
@@ -132,6 +150,13 @@ mod tests {
             let message = input.error_at(offset, "m").to_string();
             assert_eq!(message, format!("f:{place}: m"), "offset {offset}");
         }
+    }
+
+    #[test]
+    fn messages_are_one_short_line() {
+        let input = Input::from_bytes("f", "{".into()).unwrap();
+        assert_eq!(input.error("a\nb\u{1b}[1m").to_string(), "f: a\\nb\\u{1b}[1m");
+        assert_eq!(input.error("é".repeat(999)).to_string(), format!("f: {}…", "é".repeat(300)));
     }
 
     #[test]

@@ -58,8 +58,8 @@ pub fn read_tile_set(input: &Input, colors: Option<Colors>) -> Result<NamedSet, 
     let colors = match Field::optional(input, fields.colors) {
         None => colors,
         Some(field) => {
-            let said =
-                normal(kind, field.read(ColorCounts)?).map_err(|error| field.error(error))?;
+            let said = field.read(ColorCounts)?;
+            check_palettes(kind, said).map_err(|message| field.error(message))?;
             if let Some(asked) = colors.filter(|&asked| asked != said) {
                 let message = format!("colors {said} in the file, but {asked} was asked for");
                 return Err(field.error(message));
@@ -68,8 +68,9 @@ pub fn read_tile_set(input: &Input, colors: Option<Colors>) -> Result<NamedSet, 
         }
     };
     let field = Field::required(input, start, "tiles", fields.tiles)?;
-    let colors_asked = colors.map(|colors| normal(kind, colors)).transpose();
-    let colors = colors_asked.map_err(|error| kind_field.error(error))?;
+    if let Some(colors) = colors {
+        check_palettes(kind, colors).map_err(|message| kind_field.error(message))?;
+    }
     let tiles = field.read(Tiles { kind, colors })?;
     let colors = match colors {
         Some(colors) => colors,
@@ -87,17 +88,14 @@ pub fn read_tile_set(input: &Input, colors: Option<Colors>) -> Result<NamedSet, 
     Ok(NamedSet { set, name: text(fields.name)?, source: text(fields.source)? })
 }
 
-/// Corner tiles and dominoes have one palette.
-fn normal(kind: Kind, colors: Colors) -> Result<Colors, TileError> {
-    if kind != Kind::Wang && colors.single().is_none() {
-        return Err(match kind {
-            Kind::Corner => {
-                TileError::TwoColorCounts(colors.horizontal() as u16, colors.vertical() as u16)
-            }
-            _ => TileError::ColorSyntax(colors.to_string()),
-        });
+/// Corner tiles and the dominoes of one ring have one palette.
+fn check_palettes(kind: Kind, colors: Colors) -> Result<(), String> {
+    match colors.single() {
+        None if kind != Kind::Wang => {
+            Err(format!("a set of {kind} tiles has one number of colors, but {colors} was given"))
+        }
+        _ => Ok(()),
     }
-    Ok(colors)
 }
 
 /// The smallest palettes that hold all colors of the tiles, whose sides are in digit order.

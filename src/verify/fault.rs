@@ -57,7 +57,8 @@ pub struct Touch {
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 pub enum Fault {
     /// The list of tiles does not fill the torus.
-    #[error("size {shape} has {} cells, but {given} tiles are given", .shape.cells())]
+    #[error("size {shape} has {}, but there are {}", count(.shape.cells() as u64, "cell"),
+        count(*.given as u64, "tile"))]
     Cells {
         /// The torus.
         shape: Shape,
@@ -71,8 +72,8 @@ pub enum Fault {
         shape: Shape,
     },
     /// The number of cells does not suit the number of tiles in the set.
-    #[error("size {shape} has {} cells, but the set has {tiles} tile{}{}", .shape.cells(),
-        if *.tiles == 1 { "" } else { "s" }, if *.cover { " to cover" } else { "" })]
+    #[error("size {shape} has {}, but the set has {}{}", count(.shape.cells() as u64, "cell"),
+        count(*.tiles, "tile"), if *.cover { " to cover" } else { "" })]
     Size {
         /// The torus.
         shape: Shape,
@@ -156,6 +157,11 @@ impl Fault {
     pub fn is_size(&self) -> bool {
         matches!(self, Fault::Cells { .. } | Fault::NotARing { .. } | Fault::Size { .. })
     }
+}
+
+/// `1 tile`, `2 tiles`.
+fn count(number: u64, what: &str) -> String {
+    format!("{number} {what}{}", if number == 1 { "" } else { "s" })
 }
 
 /// `A and B`, `A, B and C`, `A, B, C, D and 5 more`.
