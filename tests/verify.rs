@@ -210,6 +210,12 @@ const WRONG: &[Wrong] = &[
         "size 4x5 has 20 cells, but the set has 16 tiles",
     ),
     (
+        "one cell too many",
+        "kind=domino colors=2\n0 0 1 3 2",
+        |_| {},
+        "size 5x1 has 5 cells, but the set has 4 tiles",
+    ),
+    (
         "too few cells",
         WANG_2,
         |p| resize(p, 3, 5),
