@@ -328,7 +328,7 @@ fn allowed_rows(
         images.dedup();
         let crowded =
             limit.is_some_and(|limit| images.iter().filter(|image| image.0 == row).count() > limit);
-        if !crowded && !(packing && twice) {
+        if !(crowded || packing && twice) {
             rows[row] |= 1 << free;
         }
     }

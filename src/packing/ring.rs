@@ -44,12 +44,14 @@ pub fn task(task: &Task) -> Result<Task, TileError> {
     };
     let set = TileSet::new(Kind::Wang, colors, members)?;
     let lattice = Lattice { kind: Kind::Wang, shape: task.shape };
-    let mut pins = vec![Some(0); lattice.labels()];
-    for (cell, &pin) in task.pins.labels().iter().enumerate() {
-        pins[label(is_row(task), cell)] = pin;
+    let mut pins = Pins::free(lattice);
+    for (cell, pin) in task.pins.labels().iter().enumerate() {
+        if let Some(color) = *pin {
+            // The blank edges are known too; every label is pinned once, so nothing clashes.
+            let _ = pins.pin(label(is_row(task), cell), color);
+            let _ = pins.pin(label(!is_row(task), cell), 0);
+        }
     }
-    // The blank edges are known, but a known label would count as a pin.
-    let pins = if task.has_pins() { Pins::new(pins) } else { Pins::free(lattice) };
     let automorphism = task.automorphism.as_ref().map(|automorphism| {
         let ends = automorphism.map.vertical().to_vec();
         let maps = if is_row(task) { (vec![0], ends) } else { (ends, vec![0]) };

@@ -12,7 +12,7 @@ use super::{
     corner::Corner,
     wang::{Shown, Wang},
 };
-use crate::search::{self, Lexicographic, Limits, Outcome, Plan, Progress, Random, Values};
+use crate::search::{self, Limits, Outcome, Plan, Progress, Values};
 use crate::symmetry::{Canonizer, Group, GroupError, orbits};
 use crate::tiles::{Kind, TileError};
 use num_bigint::BigUint;
@@ -27,16 +27,21 @@ pub struct Settings<'a> {
     pub limits: Limits<'a>,
     /// Called some twenty times a second.
     pub watch: &'a dyn Fn(&Progress),
-    /// The seed of random value orders; `None` for lexicographic order.
-    pub random: Option<u64>,
+    /// The order in which the alternatives of a level are tried.
+    pub values: Values,
     /// Whether symmetry may be removed before the search (the answer is the same).
     pub reduce: bool,
 }
 
 impl Settings<'_> {
     /// One thread, no limits or reports, lexicographic order, reduced.
-    pub const PLAIN: Settings<'static> =
-        Settings { threads: 1, limits: Limits::NONE, watch: &|_| {}, random: None, reduce: true };
+    pub const PLAIN: Settings<'static> = Settings {
+        threads: 1,
+        limits: Limits::NONE,
+        watch: &|_| {},
+        values: Values::Lexicographic,
+        reduce: true,
+    };
 }
 
 /// What a search did.
@@ -228,21 +233,14 @@ impl Search<'_> {
             let leaves = Leaves::new(self.purpose);
             return Ok(Answer { value: Met { found: None, met: 0, leaves }, work });
         };
-        Ok(match self.settings.random {
-            None => self.walk(problem, Lexicographic),
-            Some(seed) => self.walk(problem, Random { seed }),
-        })
-    }
-
-    fn walk<P: Labeled, V: Values>(self, problem: P, values: V) -> Answer<Met> {
-        let Settings { threads, limits, watch, .. } = *self.settings;
+        let Settings { threads, limits, watch, values, .. } = *self.settings;
         let levels = problem.levels();
         let plan = Plan { threads, limits, watch, ..Plan::whole(problem, values) };
         let outcome: Outcome<_, Leaves, _> =
             search::run(plan, || Leaves::new(self.purpose.clone()));
         let Outcome { complete, found, nodes, solutions, deepest, sink, .. } = outcome;
         let work = Work { complete, nodes, deepest, levels };
-        Answer { value: Met { found, met: solutions, leaves: sink }, work }
+        Ok(Answer { value: Met { found, met: solutions, leaves: sink }, work })
     }
 }
 

@@ -30,5 +30,5 @@ pub use problem::Problem;
 pub use progress::Progress;
 pub use sink::{Count, First, Sink};
 pub use stop::{Limits, Stop};
-pub use values::{Lexicographic, Random, Values};
+pub use values::Values;
 pub use walk::{Slice, Walk};

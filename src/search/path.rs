@@ -55,7 +55,7 @@ impl<A: Alternatives> Path<A> {
 
     /// The choices that lead to the next node of the walk: nothing still to visit comes before
     /// it. For an exhausted path, the choices made.
-    pub fn start<V: Values>(&self, values: &V) -> Vec<u32> {
+    pub fn start(&self, values: Values) -> Vec<u32> {
         let mut start = self.choices().to_vec();
         if let Some(level) = self.left().iter().rposition(|left| !left.is_empty()) {
             let mut left = self.left[level];
@@ -67,7 +67,7 @@ impl<A: Alternatives> Path<A> {
 
     /// Gives away the later half of the alternatives at the shallowest level that has any, or
     /// `None` when there are too few for two.
-    pub fn split<V: Values>(&mut self, values: &V) -> Option<Self> {
+    pub fn split(&mut self, values: Values) -> Option<Self> {
         let level = self.left().iter().position(|left| !left.is_empty())?;
         let count = self.left[level].count();
         // A path that stands on this level has nothing else, so it keeps one alternative.

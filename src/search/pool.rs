@@ -22,11 +22,11 @@ const TICK: Duration = Duration::from_millis(50);
 const NAP: Duration = Duration::from_micros(50);
 
 /// What to search, and how.
-pub struct Plan<'a, P: Problem, V> {
+pub struct Plan<'a, P: Problem> {
     /// The problem, without choices.
     pub problem: P,
     /// The order of alternatives.
-    pub values: V,
+    pub values: Values,
     /// What to visit: the root, or what an earlier search left.
     pub paths: Vec<Path<P::Alternatives>>,
     /// The number of threads, at least 1.
@@ -37,9 +37,9 @@ pub struct Plan<'a, P: Problem, V> {
     pub watch: &'a dyn Fn(&Progress),
 }
 
-impl<'a, P: Problem, V: Values> Plan<'a, P, V> {
+impl<P: Problem> Plan<'_, P> {
     /// The whole tree of `problem`, on one thread, without limits or reports.
-    pub fn whole(mut problem: P, values: V) -> Self {
+    pub fn whole(mut problem: P, values: Values) -> Self {
         let paths = vec![Path::root(&mut problem)];
         Self { problem, values, paths, threads: 1, limits: Limits::NONE, watch: &|_| {} }
     }
@@ -114,13 +114,9 @@ struct Shared<A, F> {
 ///
 /// # Panics
 /// Only if the problem or the sink does; the panic of any thread is passed on.
-pub fn run<P, V, S>(
-    plan: Plan<'_, P, V>,
-    sink: impl Fn() -> S,
-) -> Outcome<P::Alternatives, S, S::Found>
+pub fn run<P, S>(plan: Plan<'_, P>, sink: impl Fn() -> S) -> Outcome<P::Alternatives, S, S::Found>
 where
     P: Problem,
-    V: Values,
     S: Sink<P>,
 {
     let begin = Instant::now();
@@ -132,8 +128,7 @@ where
     std::thread::scope(|scope| {
         let mut handles = Vec::with_capacity(threads);
         for id in 0..threads {
-            let worker =
-                Worker { id, shared: &shared, values: plan.values.clone(), tick: 0, found: 0 };
+            let worker = Worker { id, shared: &shared, values: plan.values, tick: 0, found: 0 };
             let (problem, sink, done) = (plan.problem.clone(), sink(), done.clone());
             handles.push(scope.spawn(move || {
                 let _guard = StopOnPanic(&worker.shared.stop);
@@ -166,7 +161,7 @@ where
             }
         }
     });
-    shared.outcome(&plan.values, joined)
+    shared.outcome(plan.values, joined)
 }
 
 /// Lets the other threads end when one panics.
@@ -180,17 +175,17 @@ impl Drop for StopOnPanic<'_> {
     }
 }
 
-struct Worker<'a, A, F, V> {
+struct Worker<'a, A, F> {
     id: usize,
     shared: &'a Shared<A, F>,
-    values: V,
+    values: Values,
     /// The tick for which it last measured what remains.
     tick: usize,
     /// How many changes of the best solution it has seen in this part.
     found: usize,
 }
 
-impl<A: Alternatives, F: Send, V: Values> Worker<'_, A, F, V> {
+impl<A: Alternatives, F: Send> Worker<'_, A, F> {
     /// Walks parts until none is left or the search stops.
     fn work<P, S>(mut self, mut problem: P, mut sink: S) -> S
     where
@@ -199,11 +194,11 @@ impl<A: Alternatives, F: Send, V: Values> Worker<'_, A, F, V> {
     {
         let shared = self.shared;
         let root = Path::root(&mut problem);
-        let mut walk = Walk::new(problem, self.values.clone(), root);
+        let mut walk = Walk::new(problem, self.values, root);
         while let Some((path, remaining)) = self.next_path() {
             lock(&shared.remaining).take(self.id, remaining);
             self.found = 0;
-            let start = path.start(&self.values);
+            let start = path.start(self.values);
             if !self.is_too_late(&start) {
                 (walk.nodes, walk.solutions, walk.deepest) = (0, 0, path.level());
                 walk.change(path);
@@ -244,7 +239,7 @@ impl<A: Alternatives, F: Send, V: Values> Worker<'_, A, F, V> {
         path
     }
 
-    fn walk_part<P, S>(&mut self, walk: &mut Walk<P, V>, sink: &mut S, start: &[u32])
+    fn walk_part<P, S>(&mut self, walk: &mut Walk<P>, sink: &mut S, start: &[u32])
     where
         P: Problem<Alternatives = A>,
         S: Sink<P, Found = F>,
@@ -267,7 +262,7 @@ impl<A: Alternatives, F: Send, V: Values> Worker<'_, A, F, V> {
             match slice {
                 Slice::Paused => {}
                 Slice::Exhausted => return,
-                Slice::Found(found) => return shared.offer(walk.solution(), found, &self.values),
+                Slice::Found(found) => return shared.offer(walk.solution(), found, self.values),
             }
             if self.is_too_late(start) {
                 return;
@@ -286,11 +281,11 @@ impl<A: Alternatives, F: Send, V: Values> Worker<'_, A, F, V> {
         }
         self.found = found;
         let best = lock(&self.shared.best);
-        best.as_ref().is_some_and(|best| is_before(&self.values, &best.choices, start))
+        best.as_ref().is_some_and(|best| is_before(self.values, &best.choices, start))
     }
 
     /// Feeds a hungry thread, and measures what remains when asked to.
-    fn share<P: Problem<Alternatives = A>>(&mut self, walk: &mut Walk<P, V>) {
+    fn share<P: Problem<Alternatives = A>>(&mut self, walk: &mut Walk<P>) {
         let shared = self.shared;
         let tick = shared.tick.load(SeqCst);
         let hungry = shared.hungry.load(SeqCst) > shared.queue.len();
@@ -326,15 +321,14 @@ impl Remaining {
 }
 
 impl<A: Alternatives, F> Shared<A, F> {
-    fn new<P, V>(plan: &Plan<'_, P, V>, threads: usize) -> Self
+    fn new<P>(plan: &Plan<'_, P>, threads: usize) -> Self
     where
         P: Problem<Alternatives = A>,
-        V: Values,
     {
         let queue = Injector::new();
         let mut queued = 0.0;
         for path in &plan.paths {
-            let (problem, values) = (plan.problem.clone(), plan.values.clone());
+            let (problem, values) = (plan.problem.clone(), plan.values);
             let remaining = Walk::new(problem, values, path.clone()).remaining();
             queued += remaining;
             queue.push((path.clone(), remaining));
@@ -364,7 +358,7 @@ impl<A: Alternatives, F> Shared<A, F> {
     }
 
     /// Keeps a solution if it is the first so far.
-    fn offer<V: Values>(&self, choices: &[u32], found: F, values: &V) {
+    fn offer(&self, choices: &[u32], found: F, values: Values) {
         let mut best = lock(&self.best);
         if best.as_ref().is_none_or(|best| is_before(values, choices, &best.choices)) {
             *best = Some(Best { choices: choices.to_vec(), found });
@@ -372,7 +366,7 @@ impl<A: Alternatives, F> Shared<A, F> {
         }
     }
 
-    fn outcome<S, V: Values>(self, values: &V, sink: S) -> Outcome<A, S, F> {
+    fn outcome<S>(self, values: Values, sink: S) -> Outcome<A, S, F> {
         let mut left = into_inner(self.left);
         while let Steal::Success((path, _)) = self.queue.steal() {
             left.push(path);
@@ -406,7 +400,7 @@ impl<A: Alternatives, F> Shared<A, F> {
 
 /// Whether the choices `a` come before the choices `b` in the walk; where one continues the
 /// other they do not come before each other.
-fn is_before<V: Values>(values: &V, a: &[u32], b: &[u32]) -> bool {
+fn is_before(values: Values, a: &[u32], b: &[u32]) -> bool {
     let differ = a.iter().zip(b).enumerate().find(|(_, (a, b))| a != b);
     differ.is_some_and(|(level, (&a, &b))| values.before(level, a, b))
 }

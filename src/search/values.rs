@@ -7,63 +7,43 @@
 use super::Alternatives;
 
 /// An order on the alternatives of every level.
-pub trait Values: Clone + Send + Sync {
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Values {
+    /// Smallest first.
+    Lexicographic,
+    /// A random order of its own at every level, given by a seed.
+    Random(u64),
+}
+
+impl Values {
     /// Removes and gives the first of the alternatives left at `level`, which are not empty.
-    fn take<A: Alternatives>(&self, level: usize, left: &mut A) -> u32;
+    #[inline(always)]
+    pub fn take<A: Alternatives>(self, level: usize, left: &mut A) -> u32 {
+        match self {
+            Values::Lexicographic => left.take_first(),
+            Values::Random(seed) => take_random(seed, level, left),
+        }
+    }
 
     /// Whether `a` comes before `b` at `level`.
-    fn before(&self, level: usize, a: u32, b: u32) -> bool;
-}
-
-/// Smallest first.
-#[derive(Debug, Clone, Copy, Default)]
-pub struct Lexicographic;
-
-impl Values for Lexicographic {
-    #[inline(always)]
-    fn take<A: Alternatives>(&self, _: usize, left: &mut A) -> u32 {
-        left.take_first()
-    }
-
-    fn before(&self, _: usize, a: u32, b: u32) -> bool {
-        a < b
-    }
-}
-
-/// A random order of its own at every level, given by a seed.
-#[derive(Debug, Clone, Copy)]
-pub struct Random {
-    /// Decides all the orders.
-    pub seed: u64,
-}
-
-impl Random {
-    #[inline]
-    fn rank(&self, level: usize, choice: u32) -> u64 {
-        scramble(self.seed ^ scramble((level as u64) << 32 | u64::from(choice)))
-    }
-}
-
-impl Values for Random {
-    #[inline]
-    fn take<A: Alternatives>(&self, level: usize, left: &mut A) -> u32 {
-        let mut rest = *left;
-        let mut first = rest.take_first();
-        let mut least = self.rank(level, first);
-        while !rest.is_empty() {
-            let choice = rest.take_first();
-            let rank = self.rank(level, choice);
-            if rank < least {
-                (first, least) = (choice, rank);
-            }
+    pub fn before(self, level: usize, a: u32, b: u32) -> bool {
+        match self {
+            Values::Lexicographic => a < b,
+            Values::Random(seed) => (rank(seed, level, a), a) < (rank(seed, level, b), b),
         }
-        left.remove(first);
-        first
     }
+}
 
-    fn before(&self, level: usize, a: u32, b: u32) -> bool {
-        (self.rank(level, a), a) < (self.rank(level, b), b)
-    }
+fn rank(seed: u64, level: usize, choice: u32) -> u64 {
+    scramble(seed ^ scramble((level as u64) << 32 | u64::from(choice)))
+}
+
+#[inline(never)]
+fn take_random<A: Alternatives>(seed: u64, level: usize, left: &mut A) -> u32 {
+    let choices = left.numbers().map(|choice| (rank(seed, level, choice), choice));
+    let first = choices.min().map_or(0, |(_, choice)| choice);
+    left.remove(first);
+    first
 }
 
 /// A bijection of the 64-bit numbers that looks random (the finalizer of SplitMix64; Steele,
@@ -82,7 +62,7 @@ mod tests {
 
     #[test]
     fn orders_are_total_and_agree_with_take() {
-        let values = Random { seed: 7 };
+        let values = Values::Random(7);
         for level in 0..20 {
             let mut left = Words::<2>::below(100);
             let mut taken = Vec::new();

@@ -19,9 +19,9 @@ pub enum Slice<F> {
 
 /// A problem together with the path that brought it to its state.
 #[derive(Debug, Clone)]
-pub struct Walk<P: Problem, V> {
+pub struct Walk<P: Problem> {
     problem: P,
-    values: V,
+    values: Values,
     path: Path<P::Alternatives>,
     /// Nodes visited.
     pub nodes: u64,
@@ -31,16 +31,16 @@ pub struct Walk<P: Problem, V> {
     pub deepest: usize,
 }
 
-impl<P: Problem, V: Values> Walk<P, V> {
+impl<P: Problem> Walk<P> {
     /// A walk along `path`, for a problem without choices.
-    pub fn new(mut problem: P, values: V, path: Path<P::Alternatives>) -> Self {
+    pub fn new(mut problem: P, values: Values, path: Path<P::Alternatives>) -> Self {
         path.replay(&mut problem);
         let deepest = path.level();
         Self { problem, values, path, nodes: 0, solutions: 0, deepest }
     }
 
     /// A walk over the whole tree.
-    pub fn whole(mut problem: P, values: V) -> Self {
+    pub fn whole(mut problem: P, values: Values) -> Self {
         let path = Path::root(&mut problem);
         Self::new(problem, values, path)
     }
@@ -57,7 +57,7 @@ impl<P: Problem, V: Values> Walk<P, V> {
 
     /// Gives away part of the work; see [`Path::split`].
     pub fn split(&mut self) -> Option<Path<P::Alternatives>> {
-        self.path.split(&self.values)
+        self.path.split(self.values)
     }
 
     /// The part of the whole tree this path has still to visit; see [`Path::remaining`].

@@ -1,0 +1,196 @@
+//! Solution JSON: one packing as one object, `tilepack/1`.
+//!
+//! Fields may come in any order. Fields that are not known are ignored, so that later versions
+//! can add some; a known field of the wrong type is an error, and so is another format or
+//! topology. The provenance is kept but never trusted.
+
+use super::claim::{Claim, ring_colors};
+use super::json::{CellNumber, ColorCounts, Field, Number, Rows, SetMembers};
+use super::{Input, StoreError};
+use crate::tiles::{Members, TileId, TileSet};
+use crate::torus::{Cell, Packing, Shape};
+use serde::Deserialize;
+use serde_json::value::RawValue;
+use serde_json::{Value, json};
+use std::io::{self, Write};
+
+/// The version of the format that is read and written.
+pub const FORMAT: &str = "tilepack/1";
+
+/// The fields of a solution, or of pins, as text.
+#[derive(Debug, Deserialize)]
+pub(super) struct Document<'a> {
+    #[serde(borrow)]
+    format: Option<&'a RawValue>,
+    #[serde(borrow)]
+    kind: Option<&'a RawValue>,
+    #[serde(borrow)]
+    colors: Option<&'a RawValue>,
+    #[serde(borrow)]
+    set: Option<&'a RawValue>,
+    #[serde(borrow)]
+    cover: Option<&'a RawValue>,
+    #[serde(borrow)]
+    width: Option<&'a RawValue>,
+    #[serde(borrow)]
+    height: Option<&'a RawValue>,
+    #[serde(borrow)]
+    topology: Option<&'a RawValue>,
+    #[serde(borrow)]
+    tiles: Option<&'a RawValue>,
+    #[serde(borrow)]
+    provenance: Option<&'a RawValue>,
+}
+
+/// A document within its file.
+pub(super) struct Object<'a> {
+    pub(super) input: &'a Input,
+    /// The byte offset where it begins.
+    pub(super) start: usize,
+    pub(super) fields: Document<'a>,
+}
+
+impl<'a> Object<'a> {
+    pub(super) fn field(
+        &self,
+        name: &str,
+        choose: impl FnOnce(&Document<'a>) -> Option<&'a RawValue>,
+    ) -> Result<Field<'a>, StoreError> {
+        Field::required(self.input, self.start, name, choose(&self.fields))
+    }
+
+    /// The kind, colors and size, with the colors those of a ring for dominoes. The set is
+    /// complete: all tiles that can occur.
+    pub(super) fn frame(&self) -> Result<(TileSet, Shape), StoreError> {
+        self.field("format", |f| f.format)?.word("format", &[FORMAT])?;
+        self.field("topology", |f| f.topology)?.word("topology", &["torus"])?;
+        let kind = self.field("kind", |f| f.kind)?.kind()?;
+        let side = Number { what: "a number of cells", max: u64::from(u32::MAX) };
+        let width = self.field("width", |f| f.width)?;
+        let height = self.field("height", |f| f.height)?.read(side)?;
+        let shape = Shape::new(width.read(side)?, height).map_err(|error| width.error(error))?;
+        let field = self.field("colors", |f| f.colors)?;
+        let colors = ring_colors(kind, shape, field.read(ColorCounts)?);
+        let set = TileSet::new(kind, colors, Members::Complete);
+        Ok((set.map_err(|error| field.error(error))?, shape))
+    }
+
+    /// Passes the tiles on, row by row; `null` is a free cell where `free` allows it.
+    pub(super) fn tiles(
+        &self,
+        all: &TileSet,
+        shape: Shape,
+        free: bool,
+        take: impl FnMut(Cell, Option<u64>),
+    ) -> Result<(), StoreError> {
+        let cell = CellNumber { number: tile_number(all), free };
+        self.field("tiles", |f| f.tiles)?.read(Rows { shape, cell, take })
+    }
+
+    /// The packing and its provenance.
+    pub(super) fn packing(&self, claim: &Claim) -> Result<(Packing, Value), StoreError> {
+        let (all, shape) = self.frame()?;
+        let color = Number { what: "a color", max: all.colors().largest() as u64 - 1 };
+        let field = self.field("set", |f| f.set)?;
+        let members = field.read(SetMembers { tile: tile_number(&all), color })?;
+        let set = TileSet::new(all.kind(), all.colors(), members);
+        let set = set.map_err(|error| field.error(error))?;
+        let cover = match Field::optional(self.input, self.fields.cover) {
+            None => false,
+            Some(field) => field.read(std::marker::PhantomData)?,
+        };
+        match claim.contradiction(&set, shape, cover) {
+            Ok(None) => {}
+            Ok(Some(message)) => return Err(self.input.error_at(self.start, message)),
+            Err(error) => return Err(self.input.error_at(self.start, error.to_string())),
+        }
+        let provenance = match Field::optional(self.input, self.fields.provenance) {
+            None => Value::Null,
+            Some(field) => field.read(std::marker::PhantomData)?,
+        };
+        let mut tiles = Vec::new();
+        self.tiles(&all, shape, false, |_, tile| {
+            tiles.extend(tile.map(|tile| TileId(tile as u32)));
+        })?;
+        Ok((Packing { set, shape, cover, tiles }, provenance))
+    }
+}
+
+fn tile_number(all: &TileSet) -> Number {
+    Number { what: "a tile number", max: all.kind().tiles(all.colors()) - 1 }
+}
+
+/// How a solution is laid out.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Layout {
+    /// One field a line, one row of tiles a line.
+    Pretty,
+    /// All on one line, for lists.
+    Line,
+}
+
+/// Writes a packing as solution JSON, ending in a newline; equal arguments give equal bytes.
+///
+/// `provenance` is written as it is, unless it is `null`.
+///
+/// # Errors
+/// What `out` reports.
+pub fn write_solution(
+    mut out: impl Write,
+    packing: &Packing,
+    provenance: &Value,
+    layout: Layout,
+) -> io::Result<()> {
+    let pretty = layout == Layout::Pretty;
+    let (gap, space) = if pretty { ("\n  ", " ") } else { ("", "") };
+    write!(out, "{{{gap}\"format\":{space}\"{FORMAT}\"")?;
+    for (name, value) in fields(packing) {
+        write!(out, ",{gap}\"{name}\":{space}{value}")?;
+    }
+    write!(out, ",{gap}\"tiles\":{space}[")?;
+    for (row, tiles) in packing.rows().enumerate() {
+        let comma = if row > 0 { "," } else { "" };
+        write!(out, "{comma}{}[", if pretty { "\n    " } else { "" })?;
+        for (column, tile) in tiles.iter().enumerate() {
+            match column {
+                0 => write!(out, "{tile}")?,
+                _ => write!(out, ",{space}{tile}")?,
+            }
+        }
+        write!(out, "]")?;
+    }
+    write!(out, "{}]", if pretty { "\n  " } else { "" })?;
+    if !provenance.is_null() {
+        write!(out, ",{gap}\"provenance\":{space}{provenance}")?;
+    }
+    writeln!(out, "{}}}", if pretty { "\n" } else { "" })
+}
+
+/// The fields between the format and the tiles.
+fn fields(packing: &Packing) -> Vec<(&'static str, Value)> {
+    let (set, shape) = (&packing.set, packing.shape);
+    let colors = set.colors();
+    let colors = match colors.single() {
+        Some(count) => json!(count),
+        None => json!([colors.horizontal(), colors.vertical()]),
+    };
+    let members = match set.members() {
+        Members::Complete => json!("complete"),
+        Members::Compact => json!("compact"),
+        Members::Pruned(pairs) => {
+            let pairs: Vec<_> = pairs.iter().map(|(a, b)| [a.0, b.0]).collect();
+            json!({ "pruned": pairs })
+        }
+        Members::Explicit(tiles) => {
+            json!({ "tiles": tiles.iter().map(|tile| tile.0).collect::<Vec<_>>() })
+        }
+    };
+    let mut fields = vec![("kind", json!(set.kind().name())), ("colors", colors), ("set", members)];
+    if packing.cover {
+        fields.push(("cover", json!(true)));
+    }
+    fields.push(("width", json!(shape.width())));
+    fields.push(("height", json!(shape.height())));
+    fields.push(("topology", json!("torus")));
+    fields
+}

@@ -1,0 +1,81 @@
+//! The examples of the documentation, and what files look like that are written.
+
+use crate::{bare, corner_2, input, written};
+use serde_json::{Value, json};
+use tilepack::store::{
+    Claim, Layout, read_pins, read_solution, read_tile_set, solutions, write_grid, write_solution,
+};
+use tilepack::tiles::Kind;
+use tilepack::verify::check;
+
+/// The fenced blocks of a page, each with the words after its fence.
+fn examples(page: &str) -> Vec<(&str, &str)> {
+    let blocks = page.split("```").skip(1).step_by(2);
+    blocks.map(|block| block.split_once('\n').unwrap()).collect()
+}
+
+#[test]
+fn every_example_in_the_documentation_is_read() {
+    let mut seen = Vec::new();
+    for (language, text) in examples(include_str!("../../docs/formats.md")) {
+        let input = input(text);
+        let claim = match language {
+            "text bare-corner-2" => bare(Kind::Corner, 2),
+            _ => Claim::default(),
+        };
+        match language {
+            "json solution" | "text grid" | "text bare-corner-2" => {
+                let packing = read_solution(&input, &claim).unwrap().packing;
+                assert_eq!(check(&packing).to_string(), "valid", "{text}");
+            }
+            "json solutions" => {
+                let all: Vec<_> = solutions(&input, &claim).map(Result::unwrap).collect();
+                assert_eq!(all.iter().map(|s| s.line).collect::<Vec<_>>(), [1, 2]);
+                assert!(all.iter().all(|solution| check(&solution.packing).is_valid()));
+            }
+            "text pins-corner-2-4x4" | "json pins-corner-2-4x4" => {
+                let (lattice, set) = corner_2();
+                assert!(read_pins(&input, lattice, &set).unwrap().pinned() >= 5, "{text}");
+            }
+            "json tile-set" => {
+                assert_eq!(read_tile_set(&input, None).unwrap().set.size(), 3, "{text}");
+            }
+            other => panic!("an example of an unknown sort: {other}"),
+        }
+        seen.push(language);
+    }
+    assert_eq!(seen.len(), 15);
+}
+
+#[test]
+fn pretty_solutions_look_like_this() {
+    let text = "kind=wang colors=2,1 set=pruned:0-1 cover\n0\n3\n";
+    let packing = read_solution(&input(text), &Claim::default()).unwrap().packing;
+    let pretty = written(|out| write_solution(out, &packing, &json!({"seed": 1}), Layout::Pretty));
+    let expected = r#"{
+  "format": "tilepack/1",
+  "kind": "wang",
+  "colors": [2,1],
+  "set": {"pruned":[[0,1]]},
+  "cover": true,
+  "width": 1,
+  "height": 2,
+  "topology": "torus",
+  "tiles": [
+    [0],
+    [3]
+  ],
+  "provenance": {"seed":1}
+}
+"#;
+    assert_eq!(String::from_utf8(pretty).unwrap(), expected);
+    let line = written(|out| write_solution(out, &packing, &Value::Null, Layout::Line));
+    let expected = concat!(
+        r#"{"format":"tilepack/1","kind":"wang","colors":[2,1],"set":{"pruned":[[0,1]]},"#,
+        r#""cover":true,"width":1,"height":2,"topology":"torus","tiles":[[0],[3]]}"#,
+        "\n"
+    );
+    assert_eq!(String::from_utf8(line).unwrap(), expected);
+    let grid = written(|out| write_grid(out, &packing));
+    assert_eq!(String::from_utf8(grid).unwrap(), text);
+}
