@@ -14,17 +14,49 @@ fn main() {
     let which = args[1].as_str();
     let limit: u64 = args.get(2).map_or(u64::MAX, |s| s.parse().unwrap());
     let threads: usize = args.get(3).map_or(1, |s| s.parse().unwrap());
+    let first = args.get(4).is_some();
     let mut t = match which {
         "wang2" => task(Kind::Wang, 2, Members::Complete),
         "corner3" | "quot3" => task(Kind::Corner, 3, Members::Complete),
-        "corner4" => task(Kind::Corner, 4, Members::Complete),
+        "corner4" | "quot4" => task(Kind::Corner, 4, Members::Complete),
         "compact3" => task(Kind::Corner, 3, Members::Compact),
+        "wang3" => task(Kind::Wang, 3, Members::Complete),
         _ => panic!(),
     };
-    if which == "quot3" { t.automorphism = Some(Automorphism::parse("3,0:+1", t.set.colors(), t.shape).unwrap()); }
-    let s = Settings { threads, reduce: which != "wang2", limits: Limits { stop: &(), nodes: limit }, ..Settings::PLAIN };
+    if which == "quot3" {
+        t.automorphism = Some(Automorphism::parse("3,0:+1", t.set.colors(), t.shape).unwrap());
+    }
+    if which == "quot4" {
+        t.automorphism = Some(Automorphism::parse("4,0:1,2,3,0", t.set.colors(), t.shape).unwrap());
+    }
+    let values = args.get(5).map_or(Values::Lexicographic, |s| Values::Random(s.parse().unwrap()));
+    let s = Settings {
+        threads,
+        values,
+        reduce: which != "wang2",
+        limits: Limits { stop: &(), nodes: limit },
+        ..Settings::PLAIN
+    };
     let t0 = std::time::Instant::now();
+    if first {
+        let a = find(&t, &s).unwrap();
+        let d = t0.elapsed().as_secs_f64();
+        println!(
+            "{which} found {} nodes {} {d:.4} s {:.1} M/s deepest {}",
+            a.value.is_some(),
+            a.work.nodes,
+            a.work.nodes as f64 / d / 1e6,
+            a.work.deepest
+        );
+        return;
+    }
     let a = count(&t, &s, false).unwrap();
     let d = t0.elapsed().as_secs_f64();
-    println!("{which} packings {} nodes {} {d:.3} s {:.1} M/s deepest {}", a.value.packings, a.work.nodes, a.work.nodes as f64 / d / 1e6, a.work.deepest);
+    println!(
+        "{which} packings {} nodes {} {d:.3} s {:.1} M/s deepest {}",
+        a.value.packings,
+        a.work.nodes,
+        a.work.nodes as f64 / d / 1e6,
+        a.work.deepest
+    );
 }

@@ -33,6 +33,9 @@ pub struct Step {
     pub cell: u32,
     /// The known corners of its window, when it is just the free corner of just one window.
     pub simple: Option<[u32; 3]>,
+    /// The first window of which it is just the free corner, if any; a cheap sieve for the
+    /// candidates of the general way.
+    pub sieve: Option<[u32; 3]>,
     /// The points of its orbit, one step of the automorphism after the other, itself first.
     pub orbit: Vec<u32>,
     /// The windows known from here on, one of every orbit.
@@ -72,6 +75,7 @@ impl CornerPlan {
             .map(|&cell| Step {
                 cell: cell.0,
                 simple: None,
+                sieve: None,
                 orbit: quotient.orbit(cell).map(|cell| cell.0).collect(),
                 windows: Vec::new(),
                 across: Vec::new(),
@@ -108,7 +112,9 @@ impl CornerPlan {
             }
         }
         for (level, step) in steps.iter_mut().enumerate() {
-            step.simple = simple(step, |cell| level_of[cell as usize] < level);
+            let is_known = |cell: u32| level_of[cell as usize] < level;
+            step.sieve = sieve(step, is_known);
+            step.simple = step.sieve.filter(|known| is_simple(step, *known));
         }
         let is_fixed = |step: &Step| step.orbit.iter().any(|&cell| fixed[cell as usize]);
         let free = steps.iter().position(|step| !is_fixed(step)).unwrap_or(steps.len());
@@ -156,15 +162,16 @@ fn along(shape: Shape, upward: bool, cell: Cell) -> Vec<u32> {
     if upward { vec![south, cell.0] } else { vec![cell.0, south] }
 }
 
-/// The known corners of the only window of a step that needs no general treatment.
-fn simple(step: &Step, is_known: impl Fn(u32) -> bool) -> Option<[u32; 3]> {
-    let (&[window], &[across], &[along]) = (&step.windows[..], &step.across[..], &step.along[..])
-    else {
-        return None;
-    };
-    let fits = window.free == step.cell
-        && window.known.into_iter().all(is_known)
-        && across == (window.known[2], step.cell)
-        && along == (window.known[1], step.cell);
-    fits.then_some(window.known)
+/// The known corners of the first window whose free corner alone is the step's point.
+fn sieve(step: &Step, is_known: impl Fn(u32) -> bool) -> Option<[u32; 3]> {
+    let fits =
+        |window: &&Window| window.free == step.cell && window.known.into_iter().all(&is_known);
+    step.windows.iter().find(fits).map(|window| window.known)
+}
+
+/// Whether the window with these known corners, and its dominoes, are all that a step decides.
+fn is_simple(step: &Step, known: [u32; 3]) -> bool {
+    step.windows.len() == 1
+        && step.across[..] == [(known[2], step.cell)]
+        && step.along[..] == [(known[1], step.cell)]
 }

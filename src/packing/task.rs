@@ -47,7 +47,10 @@ pub enum TaskError {
     TooManyColors(usize),
     /// Too many Wang tiles for the search.
     #[error("{0} different tiles may occur: the search handles up to {1}")]
-    TooManyTiles(u64, usize),
+    TooManyTiles(u64, u64),
+    /// Too many cells for the search.
+    #[error("{0} cells: the search handles up to {1}")]
+    TooManyCells(usize, usize),
     /// A ring of dominoes has one side of length 1.
     #[error("size {0}: dominoes form a ring, so one side must be 1")]
     NotARing(Shape),
