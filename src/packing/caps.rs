@@ -64,13 +64,27 @@ impl<const W: usize, const C: usize> Caps<W, C> {
     pub fn open(&self, known: [u8; 3]) -> u64 {
         let across = &self.across[usize::from(known[2])];
         let along = &self.along[usize::from(known[1])];
-        let mut open = 0;
-        for word in 0..W {
-            let tops = (across[word] & along[word] & TOP) >> (LANE - 1);
-            open |=
-                (tops.wrapping_mul(GATHER) >> (u64::BITS - LANE) & 0xf) << (LANES as usize * word);
-        }
-        open
+        gather::<W>(|word| across[word] & along[word])
+    }
+
+    /// The east ends that horizontal dominoes with this west end may still have.
+    pub fn open_across(&self, first: u8) -> u64 {
+        gather::<W>(|word| self.across[usize::from(first)][word])
+    }
+
+    /// The second ends that vertical dominoes with this first end may still have.
+    pub fn open_along(&self, first: u8) -> u64 {
+        gather::<W>(|word| self.along[usize::from(first)][word])
+    }
+
+    /// Whether a horizontal domino may occur once more.
+    pub fn has_across(&self, first: u8, second: u8) -> bool {
+        has(&self.across[usize::from(first)], second)
+    }
+
+    /// Whether a vertical domino may occur once more.
+    pub fn has_along(&self, first: u8, second: u8) -> bool {
+        has(&self.along[usize::from(first)], second)
     }
 
     /// Counts a horizontal domino; whether there was one left.
@@ -79,10 +93,10 @@ impl<const W: usize, const C: usize> Caps<W, C> {
         take(&mut self.across[usize::from(first)], second)
     }
 
-    /// Takes back a horizontal domino.
+    /// Takes back a horizontal domino; true.
     #[inline(always)]
-    pub fn release_across(&mut self, first: u8, second: u8) {
-        release(&mut self.across[usize::from(first)], second);
+    pub fn release_across(&mut self, first: u8, second: u8) -> bool {
+        release(&mut self.across[usize::from(first)], second)
     }
 
     /// Counts a vertical domino, the end visited first coming first; whether there was one left.
@@ -91,11 +105,23 @@ impl<const W: usize, const C: usize> Caps<W, C> {
         take(&mut self.along[usize::from(first)], second)
     }
 
-    /// Takes back a vertical domino.
+    /// Takes back a vertical domino; true.
     #[inline(always)]
-    pub fn release_along(&mut self, first: u8, second: u8) {
-        release(&mut self.along[usize::from(first)], second);
+    pub fn release_along(&mut self, first: u8, second: u8) -> bool {
+        release(&mut self.along[usize::from(first)], second)
     }
+}
+
+/// The colors in whose lane the top bit is set.
+#[inline(always)]
+fn gather<const W: usize>(row: impl Fn(usize) -> u64) -> u64 {
+    let mut colors = 0;
+    for word in 0..W {
+        let tops = (row(word) & TOP) >> (LANE - 1);
+        let low = tops.wrapping_mul(GATHER) >> (u64::BITS - LANE) & 0xf;
+        colors |= low << (LANES as usize * word);
+    }
+    colors
 }
 
 /// The word and the shift of the lane of a color.
@@ -106,17 +132,24 @@ fn lane<const W: usize>(color: u8) -> (usize, u32) {
 }
 
 #[inline(always)]
+fn has<const W: usize>(row: &[u64; W], color: u8) -> bool {
+    let (word, shift) = lane::<W>(color);
+    row[word] >> shift & 1 << (LANE - 1) != 0
+}
+
+#[inline(always)]
 fn take<const W: usize>(row: &mut [u64; W], color: u8) -> bool {
     let (word, shift) = lane::<W>(color);
-    let left = row[word] >> shift & 1 << (LANE - 1) != 0;
+    let left = has(row, color);
     row[word] = row[word].wrapping_sub(1 << shift);
     left
 }
 
 #[inline(always)]
-fn release<const W: usize>(row: &mut [u64; W], color: u8) {
+fn release<const W: usize>(row: &mut [u64; W], color: u8) -> bool {
     let (word, shift) = lane::<W>(color);
     row[word] = row[word].wrapping_add(1 << shift);
+    true
 }
 
 fn pack<const W: usize>(counts: &[u64], (share, of): (u64, u64), spare: u64) -> [u64; W] {

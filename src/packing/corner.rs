@@ -42,18 +42,34 @@ pub struct Corner<R, const W: usize, const C: usize, const L: usize, const QUOTI
     used: Table<u8, L>,
     /// By that number: the colors that may follow.
     follow: Table<u64, 128>,
+    around: Table<Around, L>,
     /// The color maps of 0, 1, … steps of the automorphism.
     maps: Vec<Vec<u8>>,
-    steps: Vec<Step>,
+    /// By level: the points of its orbit.
+    orbits: Vec<Vec<u32>>,
     cells: usize,
+}
+
+/// What a step that is not simple decides: no more than the four windows and four dominoes
+/// around a point.
+#[derive(Debug, Clone, Copy, Default)]
+struct Around {
+    cell: u32,
+    /// How many there are of each.
+    number: Placed,
+    /// Whether the first window has this point as its free corner only.
+    sieve: bool,
+    across: [(u32, u32); 2],
+    along: [(u32, u32); 2],
+    windows: [Window; 4],
 }
 
 /// How much of a step has been placed: dominoes and windows, each with its images.
 #[derive(Debug, Clone, Copy, Default)]
 struct Placed {
-    across: usize,
-    along: usize,
-    windows: usize,
+    across: u8,
+    along: u8,
+    windows: u8,
 }
 
 impl<R: Rule, const W: usize, const C: usize, const L: usize, const QUOTIENT: bool>
@@ -96,8 +112,9 @@ impl<R: Rule, const W: usize, const C: usize, const L: usize, const QUOTIENT: bo
             shift,
             used: Table::new(vec![used; plan.steps.len() + 1], 0),
             follow: Table::new(follow(count, reduction.ordered_from.is_some()), 0),
+            around: Table::new(plan.steps.iter().map(Around::of).collect(), Around::default()),
             maps,
-            steps: plan.steps,
+            orbits: plan.steps.into_iter().map(|step| step.orbit).collect(),
             cells: task.shape.cells(),
         };
         for step in &plan.fixed {
@@ -125,10 +142,10 @@ impl<R: Rule, const W: usize, const C: usize, const L: usize, const QUOTIENT: bo
                 return Err(cell);
             }
         }
-        let (placed, fits) = self.place(step, color);
-        if !fits {
-            self.unplace(step, placed);
+        for (&cell, map) in step.orbit.iter().zip(&self.maps) {
+            self.value[cell as usize] = map[usize::from(color)];
         }
+        let (_, fits) = self.place(&Around::of(step));
         if fits { Ok(()) } else { Err(step.cell) }
     }
 
@@ -174,9 +191,14 @@ impl<R: Rule, const W: usize, const C: usize, const L: usize, const QUOTIENT: bo
         all
     }
 
-    fn write(&mut self, step: &Step, color: u8) {
-        for (&cell, map) in step.orbit.iter().zip(&self.maps) {
-            self.value[cell as usize] = map[usize::from(color)];
+    /// Writes the color of a point and of its orbit.
+    #[inline(always)]
+    fn write(&mut self, level: usize, cell: u32, color: u8) {
+        self.value[cell as usize] = color;
+        if QUOTIENT {
+            for (&cell, map) in self.orbits[level].iter().zip(&self.maps).skip(1) {
+                self.value[cell as usize] = map[usize::from(color)];
+            }
         }
     }
 
@@ -188,26 +210,25 @@ impl<R: Rule, const W: usize, const C: usize, const L: usize, const QUOTIENT: bo
         (self.colors(window.known), self.value[window.free as usize])
     }
 
-    /// Places the color of a step the general way, up to the first violation; how far, and
+    /// Places what the color just written decides, up to the first violation; how far, and
     /// whether there was none.
-    fn place(&mut self, step: &Step, color: u8) -> (Placed, bool) {
-        self.write(step, color);
+    fn place(&mut self, around: &Around) -> (Placed, bool) {
         let mut placed = Placed::default();
-        for &domino in &step.across {
+        for &domino in &around.across[..around.number.across.into()] {
             let (first, second) = self.ends(domino);
             placed.across += 1;
             if !self.each_domino(first, second, Caps::take_across) {
                 return (placed, false);
             }
         }
-        for &domino in &step.along {
+        for &domino in &around.along[..around.number.along.into()] {
             let (first, second) = self.ends(domino);
             placed.along += 1;
             if !self.each_domino(first, second, Caps::take_along) {
                 return (placed, false);
             }
         }
-        for &window in &step.windows {
+        for &window in &around.windows[..around.number.windows.into()] {
             let (known, free) = self.corners(window);
             if self.rule.open(self.row(known)) >> free & 1 == 0 {
                 return (placed, false);
@@ -219,59 +240,104 @@ impl<R: Rule, const W: usize, const C: usize, const L: usize, const QUOTIENT: bo
     }
 
     /// Takes back what [`Self::place`] placed.
-    fn unplace(&mut self, step: &Step, placed: Placed) {
-        for &window in step.windows[..placed.windows].iter().rev() {
+    fn unplace(&mut self, around: &Around, placed: Placed) {
+        for &window in around.windows[..placed.windows.into()].iter().rev() {
             let (known, free) = self.corners(window);
             self.each_window(known, free, R::release);
         }
-        for &domino in &step.along[..placed.along] {
+        for &domino in &around.along[..placed.along.into()] {
             let (first, second) = self.ends(domino);
-            self.each_domino(first, second, |caps, a, b| {
-                caps.release_along(a, b);
-                true
-            });
+            self.each_domino(first, second, Caps::release_along);
         }
-        for &domino in &step.across[..placed.across] {
+        for &domino in &around.across[..placed.across.into()] {
             let (first, second) = self.ends(domino);
-            self.each_domino(first, second, |caps, a, b| {
-                caps.release_across(a, b);
-                true
-            });
+            self.each_domino(first, second, Caps::release_across);
         }
     }
 
-    /// Of some candidates those that fit, each tried out.
+    /// Of some candidates those that fit: a sieve by what is cheap to know, then one by one.
     #[inline(never)]
     fn tried(&mut self, level: usize, candidates: u64) -> u64 {
-        let steps = std::mem::take(&mut self.steps);
+        let around = &self.around[level];
+        let cell = around.cell;
         let mut fitting = candidates;
-        if let Some(known) = steps[level].sieve {
-            let known = self.colors(known);
+        for &(first, second) in &around.across[..around.number.across.into()] {
+            if second == cell && first != cell {
+                fitting &= self.caps.open_across(self.value[first as usize]);
+            }
+        }
+        for &(first, second) in &around.along[..around.number.along.into()] {
+            if second == cell && first != cell {
+                fitting &= self.caps.open_along(self.value[first as usize]);
+            }
+        }
+        if around.sieve {
+            let known = self.colors(around.windows[0].known);
             fitting &= self.rule.open(self.row(known));
         }
         for color in Words([fitting]).numbers() {
-            let (placed, fits) = self.place(&steps[level], color as u8);
-            self.unplace(&steps[level], placed);
-            if !fits {
+            self.write(level, cell, color as u8);
+            if !self.fits(level) {
                 fitting &= !(1 << color);
             }
         }
-        self.steps = steps;
         fitting
     }
 
+    /// Whether what the color just written decides may be placed.
+    fn fits(&mut self, level: usize) -> bool {
+        let around = &self.around[level];
+        // Without images, and with all rows and first ends different, nothing that is placed
+        // here stands in the way of another.
+        let mut apart = R::EXACT && !QUOTIENT;
+        let mut rows = [usize::MAX; 4];
+        for (i, &window) in around.windows[..around.number.windows.into()].iter().enumerate() {
+            let (known, free) = self.corners(window);
+            let row = self.row(known);
+            if self.rule.open(row) >> free & 1 == 0 {
+                return false;
+            }
+            apart &= !rows.contains(&row);
+            rows[i] = row;
+        }
+        let mut firsts = [None; 4];
+        let dominoes = [
+            (&around.across[..around.number.across.into()], 0),
+            (&around.along[..around.number.along.into()], 2),
+        ];
+        for (dominoes, start) in dominoes {
+            for (i, &domino) in dominoes.iter().enumerate() {
+                let (first, second) = self.ends(domino);
+                let open = match start {
+                    0 => self.caps.has_across(first, second),
+                    _ => self.caps.has_along(first, second),
+                };
+                if !open {
+                    return false;
+                }
+                apart &= i == 0 || firsts[start] != Some(first);
+                firsts[start + i] = Some(first);
+            }
+        }
+        if apart {
+            return true;
+        }
+        let around = *around;
+        let (placed, fits) = self.place(&around);
+        self.unplace(&around, placed);
+        fits
+    }
+
     #[inline(never)]
-    fn push_general(&mut self, level: usize, color: u8) {
-        let steps = std::mem::take(&mut self.steps);
-        self.place(&steps[level], color);
-        self.steps = steps;
+    fn push_general(&mut self, level: usize) {
+        let around = self.around[level];
+        self.place(&around);
     }
 
     #[inline(never)]
     fn pop_general(&mut self, level: usize) {
-        let steps = std::mem::take(&mut self.steps);
-        self.unplace(&steps[level], Placed::all(&steps[level]));
-        self.steps = steps;
+        let around = self.around[level];
+        self.unplace(&around, around.number);
     }
 }
 
@@ -282,9 +348,18 @@ impl Place {
     }
 }
 
-impl Placed {
-    fn all(step: &Step) -> Self {
-        Self { across: step.across.len(), along: step.along.len(), windows: step.windows.len() }
+impl Around {
+    fn of(step: &Step) -> Self {
+        let mut around = Self { cell: step.cell, sieve: step.sieve, ..Self::default() };
+        around.number = Placed {
+            across: step.across.len() as u8,
+            along: step.along.len() as u8,
+            windows: step.windows.len() as u8,
+        };
+        around.across[..step.across.len()].copy_from_slice(&step.across);
+        around.along[..step.along.len()].copy_from_slice(&step.along);
+        around.windows[..step.windows.len()].copy_from_slice(&step.windows);
+        around
     }
 }
 
@@ -294,7 +369,7 @@ impl<R: Rule, const W: usize, const C: usize, const L: usize, const QUOTIENT: bo
     type Alternatives = Words<1>;
 
     fn levels(&self) -> usize {
-        self.steps.len()
+        self.orbits.len()
     }
 
     #[inline(always)]
@@ -312,15 +387,10 @@ impl<R: Rule, const W: usize, const C: usize, const L: usize, const QUOTIENT: bo
     fn push(&mut self, level: usize, choice: u32) {
         let color = choice as u8;
         self.used[level + 1] = self.used[level].max(color + 1);
-        let place = &self.places[level];
+        let place = self.places[level];
+        self.write(level, place.cell, color);
         if !place.simple {
-            return self.push_general(level, color);
-        }
-        self.value[place.cell as usize] = color;
-        if QUOTIENT {
-            for (&cell, map) in self.steps[level].orbit.iter().zip(&self.maps).skip(1) {
-                self.value[cell as usize] = map[choice as usize];
-            }
+            return self.push_general(level);
         }
         let known = self.colors(place.known);
         self.each_domino(known[2], color, Caps::take_across);
@@ -337,14 +407,8 @@ impl<R: Rule, const W: usize, const C: usize, const L: usize, const QUOTIENT: bo
         }
         let known = self.colors(place.known);
         self.each_window(known, color, R::release);
-        self.each_domino(known[1], color, |caps, a, b| {
-            caps.release_along(a, b);
-            true
-        });
-        self.each_domino(known[2], color, |caps, a, b| {
-            caps.release_across(a, b);
-            true
-        });
+        self.each_domino(known[1], color, Caps::release_along);
+        self.each_domino(known[2], color, Caps::release_across);
     }
 }
 
