@@ -60,7 +60,7 @@ impl CornerPlan {
     pub fn new(task: &Task, quotient: &Quotient, fixed: &[bool]) -> Self {
         let upward = task.set.is_compact();
         let shape = task.shape;
-        let visits = visits(shape, task.order.unwrap_or(Order::Row), upward, fixed, quotient);
+        let visits = visits(shape, task.visiting_order(), upward, fixed, quotient);
         let rank = quotient.first_visits(&visits);
         let representatives = quotient.representatives(&visits);
         let level_of: Vec<usize> = {

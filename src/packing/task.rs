@@ -79,6 +79,21 @@ impl Task {
         self.pins.labels().iter().any(Option::is_some)
     }
 
+    /// The visiting order: the one asked for, or else the one that measured best.
+    ///
+    /// The frontier should be short: along the short side of the torus, or of the cells that
+    /// an automorphism leaves to choose. Compact corner sets do better along the long side, and
+    /// Wang tiles by columns.
+    pub fn visiting_order(&self) -> Order {
+        let (w, h) = (self.shape.width(), self.shape.height());
+        self.order.unwrap_or(match (self.set.kind(), &self.automorphism) {
+            (Kind::Corner, Some(automorphism)) if automorphism.dx == 0 => Order::Column,
+            (Kind::Corner, Some(_)) => Order::Row,
+            (Kind::Corner, None) if self.set.is_compact() || w <= h => Order::Row,
+            _ => Order::Column,
+        })
+    }
+
     /// Checks that the question makes sense.
     ///
     /// # Errors

@@ -80,7 +80,7 @@ impl<const N: usize> WangPlan<N> {
         let (shape, lattice) = (task.shape, task.lattice());
         let all_given = |cell| lattice.sides(cell).into_iter().all(|place| given[place].is_some());
         let is_known = |&cell: &Cell| quotient.orbit(cell).any(all_given);
-        let mut visits = task.order.unwrap_or(Order::Row).cells(shape);
+        let mut visits = task.visiting_order().cells(shape);
         visits.sort_by_key(|cell| !is_known(cell));
         let first = quotient.first_visits(&visits);
         let representatives = quotient.representatives(&visits);
