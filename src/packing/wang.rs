@@ -6,7 +6,7 @@
 //! tiles takes `n/64` words, whatever its colors. A placed tile writes down what it asks of its
 //! neighbors, so that the candidates are an AND of words read straight from them.
 //!
-//! All that a level reads and writes is one [`Slot`], for one word of tiles one cache line.
+//! All that a level reads and writes is one slot, for one word of tiles one cache line.
 //!
 //! Invariant: the slots hold the tiles at all levels pushed (a step only reads neighbors at
 //! earlier levels); `rule` holds exactly these tiles.
