@@ -252,6 +252,7 @@ fn corner(
     let cells = task.shape.cells();
     match (task.set.colors().horizontal(), cells) {
         (0..=4, 0..=511) => corner_words::<1, 4, 64, 512>(task, reduction, search),
+        (0..=8, 0..=8191) => corner_words::<2, 8, 512, 8192>(task, reduction, search),
         (_, 0..=65535) => corner_words::<16, 64, 262_144, 65536>(task, reduction, search),
         _ => Err(TaskError::TooManyCells(cells, 65535).into()),
     }
@@ -297,6 +298,7 @@ fn wang(
     match (tiles, cells) {
         (0..=64, 0..=127) => wang_words::<1, 128>(task, reduction, shown, search),
         (0..=256, 0..=511) => wang_words::<4, 512>(task, reduction, shown, search),
+        (0..=1024, 0..=1023) => wang_words::<16, 1024>(task, reduction, shown, search),
         (0..=4096, 0..=8191) => wang_words::<64, 8192>(task, reduction, shown, search),
         (0..=4096, _) => Err(TaskError::TooManyCells(cells, 8191).into()),
         _ => Err(TaskError::TooManyTiles(tiles, 4096).into()),
