@@ -1,4 +1,5 @@
 //! Tile packings and the search for them.
+pub mod cli;
 pub mod packing;
 pub mod search;
 pub mod store;
