@@ -1,0 +1,274 @@
+//! The command line as it is typed: commands, options and their help, nothing else.
+//!
+//! What depends on more than one option (colors on the kind, a size on the set) is kept as text
+//! here and read in [`super::problem`], where errors can say more.
+
+use super::{duration, help};
+use crate::tiles::Kind;
+use crate::torus::Order;
+use clap::builder::{PossibleValuesParser, TypedValueParser};
+use clap::{Args, Parser, Subcommand, ValueEnum};
+use std::path::PathBuf;
+use std::time::Duration;
+
+/// Finds, counts, lists, verifies and draws packings of corner tiles, Wang tiles and dominoes
+/// on a torus.
+#[derive(Debug, Parser)]
+#[command(name = "tilepack", version, about, long_about = help::PROGRAM, after_help = help::EXAMPLES)]
+#[command(disable_help_subcommand = true, max_term_width = 100)]
+pub struct Cli {
+    /// What to do.
+    #[command(subcommand)]
+    pub command: Command,
+}
+
+/// The commands.
+#[derive(Debug, Subcommand)]
+pub enum Command {
+    /// Find one packing
+    #[command(after_help = help::FIND)]
+    Find(FindArgs),
+    /// Count all packings, exactly, by search
+    #[command(after_help = help::COUNT)]
+    Count(CountArgs),
+    /// List all packings, sorted, one JSON object a line
+    #[command(after_help = help::LIST)]
+    List(ListArgs),
+    /// Check packings from the definition
+    #[command(after_help = help::VERIFY)]
+    Verify(VerifyArgs),
+    /// Draw packings in the terminal
+    #[command(after_help = help::SHOW)]
+    Show(ShowArgs),
+    /// Give the size of a tile set, and its tiles
+    #[command(after_help = help::SETS)]
+    Sets(SetsArgs),
+}
+
+fn kinds() -> impl TypedValueParser<Value = Kind> {
+    PossibleValuesParser::new(["corner", "wang", "domino"])
+        .try_map(|text| text.parse::<Kind>().map_err(|error| error.to_string()))
+}
+
+fn orders() -> impl TypedValueParser<Value = Order> {
+    PossibleValuesParser::new(Order::ALL.map(Order::name)).try_map(|text| text.parse::<Order>())
+}
+
+/// Which tiles.
+#[derive(Debug, Clone, Args)]
+#[command(next_help_heading = "Problem")]
+pub struct SetArgs {
+    /// What carries the colors
+    #[arg(long, value_name = "KIND", value_parser = kinds())]
+    pub kind: Option<Kind>,
+    /// Number of colors C; for Wang tiles and dominoes also CH,CV: first that of the north and
+    /// south edges, then that of the east and west edges
+    #[arg(long, value_name = "C", allow_hyphen_values = true)]
+    pub colors: Option<String>,
+    /// The tile set: complete (the default), compact, pruned:0-1,2-3 (no tile shows both colors
+    /// of a pair) or a tile set file
+    #[arg(long, value_name = "SET")]
+    pub set: Option<PathBuf>,
+}
+
+/// What is claimed about packings that do not say it themselves.
+#[derive(Debug, Clone, Args)]
+pub struct ClaimArgs {
+    /// The tiles; needed for bare grids, otherwise the file must agree.
+    #[command(flatten)]
+    pub set: SetArgs,
+    /// Every tile at least once instead of exactly once
+    #[arg(long)]
+    pub cover: bool,
+}
+
+/// The packings in question.
+#[derive(Debug, Clone, Args)]
+#[command(next_help_heading = "Problem")]
+pub struct ProblemArgs {
+    /// The tiles.
+    #[command(flatten)]
+    pub set: SetArgs,
+    /// Width and height of the torus [default: C^2 x C^2 (CV^2 x CH^2) for complete corner and
+    /// Wang sets, a row for dominoes, else as square as possible]
+    #[arg(long, value_name = "WxH", allow_hyphen_values = true)]
+    pub size: Option<String>,
+    /// Every tile at least once instead of exactly once
+    #[arg(long)]
+    pub cover: bool,
+    /// Only packings a with a[row+DY][column+DX] = PERM(a[row][column]); PERM is +1 (add 1
+    /// modulo C) or the list of the images of all colors, such as 1,2,3,0
+    #[arg(long, value_name = "DX,DY:PERM", allow_hyphen_values = true)]
+    pub automorphism: Option<String>,
+    /// Cells given beforehand: a grid with . (or a solution with null) for free cells
+    #[arg(long, value_name = "FILE")]
+    pub pin: Option<PathBuf>,
+}
+
+/// How to search.
+#[derive(Debug, Clone, Args)]
+#[command(next_help_heading = "Search")]
+pub struct SearchArgs {
+    /// The order in which cells are filled; it changes the time, not the packings
+    #[arg(long, value_name = "ORDER", value_parser = orders())]
+    pub order: Option<Order>,
+    /// Seed of random choices
+    #[arg(long, value_name = "N", default_value_t = 0)]
+    pub seed: u64,
+    /// Stop after this time: 500ms, 90s, 10m, 2h, 1d; a number alone is in seconds
+    #[arg(long, value_name = "TIME", value_parser = duration::parse)]
+    pub time_limit: Option<Duration>,
+    /// Stop after this many nodes (valid placements), over all threads
+    #[arg(long, value_name = "N")]
+    pub node_limit: Option<u64>,
+    /// Search without removing symmetry first: slow, for checking; same answer
+    #[arg(long)]
+    pub plain: bool,
+    /// Threads [default: all cores]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
+    pub threads: Option<u16>,
+    /// No progress and no remarks on standard error, only errors and early stops
+    #[arg(long)]
+    pub quiet: bool,
+}
+
+/// One packing.
+#[derive(Debug, Clone, Args)]
+pub struct FindArgs {
+    /// The packings in question.
+    #[command(flatten)]
+    pub problem: ProblemArgs,
+    /// How to search.
+    #[command(flatten)]
+    pub search: SearchArgs,
+    /// How to find it
+    #[arg(long, value_enum, default_value_t = Method::Auto)]
+    pub method: Method,
+    /// The order in which colors or tiles are tried
+    #[arg(long, value_enum, default_value_t = ValueOrder::Lexicographic)]
+    pub values: ValueOrder,
+    /// Write the packing to this file (JSON) instead of a grid to standard output
+    #[arg(short, long, value_name = "FILE", help_heading = "Result")]
+    pub output: Option<PathBuf>,
+    /// One JSON object on standard output
+    #[arg(long, help_heading = "Result")]
+    pub json: bool,
+}
+
+/// Ways to find a packing.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum Method {
+    /// The way that suits the problem
+    Auto,
+    /// Exhaustive search
+    Search,
+}
+
+/// Orders of alternatives.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum ValueOrder {
+    /// Smallest first
+    Lexicographic,
+    /// In random order, by --seed
+    Random,
+}
+
+/// The number of packings.
+#[derive(Debug, Clone, Args)]
+pub struct CountArgs {
+    /// The packings in question.
+    #[command(flatten)]
+    pub problem: ProblemArgs,
+    /// How to search.
+    #[command(flatten)]
+    pub search: SearchArgs,
+    /// Also count packings up to symmetry: translations, color permutations, and the rotations
+    /// and reflections that keep the torus and the set
+    #[arg(long, help_heading = "Result")]
+    pub up_to_symmetry: bool,
+    /// One JSON object on standard output
+    #[arg(long, help_heading = "Result")]
+    pub json: bool,
+}
+
+/// All packings.
+#[derive(Debug, Clone, Args)]
+pub struct ListArgs {
+    /// The packings in question.
+    #[command(flatten)]
+    pub problem: ProblemArgs,
+    /// How to search.
+    #[command(flatten)]
+    pub search: SearchArgs,
+    /// Only one packing of those that symmetry makes of each other, the canonical one
+    #[arg(long, help_heading = "Result")]
+    pub up_to_symmetry: bool,
+    /// Write the list to this file instead of standard output
+    #[arg(short, long, value_name = "FILE", help_heading = "Result")]
+    pub output: Option<PathBuf>,
+    /// One JSON object about the list on standard output; needs -o
+    #[arg(long, help_heading = "Result")]
+    pub json: bool,
+}
+
+/// Packings to check.
+#[derive(Debug, Clone, Args)]
+pub struct VerifyArgs {
+    /// Solution files, lists or text grids; - is standard input
+    #[arg(required = true, value_name = "FILE")]
+    pub files: Vec<PathBuf>,
+    /// What the files are.
+    #[command(flatten)]
+    pub claim: ClaimArgs,
+    /// Threads [default: all cores]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024), help_heading = "Result")]
+    pub threads: Option<u16>,
+    /// Nothing about valid files; only what is wrong, and the exit code
+    #[arg(long, help_heading = "Result")]
+    pub quiet: bool,
+    /// One JSON object on standard output
+    #[arg(long, help_heading = "Result")]
+    pub json: bool,
+}
+
+/// Packings to draw.
+#[derive(Debug, Clone, Args)]
+pub struct ShowArgs {
+    /// Solution file, list or text grid; - is standard input
+    #[arg(value_name = "FILE")]
+    pub file: PathBuf,
+    /// What the file is.
+    #[command(flatten)]
+    pub claim: ClaimArgs,
+    /// Write the number of every tile into it
+    #[arg(long, help_heading = "Result")]
+    pub indices: bool,
+    /// Whether to use colors; auto: on a terminal, unless NO_COLOR is set
+    #[arg(long, value_enum, default_value_t = When::Auto, help_heading = "Result")]
+    pub color: When,
+}
+
+/// When to do something that suits a terminal only.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum When {
+    /// On a terminal
+    Auto,
+    /// Always
+    Always,
+    /// Never
+    Never,
+}
+
+/// A tile set.
+#[derive(Debug, Clone, Args)]
+pub struct SetsArgs {
+    /// The tiles.
+    #[command(flatten)]
+    pub set: SetArgs,
+    /// List the tiles, too
+    #[arg(long, help_heading = "Result")]
+    pub list: bool,
+    /// One JSON object on standard output
+    #[arg(long, help_heading = "Result")]
+    pub json: bool,
+}

@@ -1,0 +1,84 @@
+//! Sets, packings and sizes in words.
+
+use crate::packing::Task;
+use crate::tiles::{Kind, Members, TileSet};
+use crate::torus::{Packing, Shape};
+
+/// A set: `complete corner set over 4 colors`.
+pub fn set(set: &TileSet) -> String {
+    let (kind, colors) = (set.kind(), colors(set));
+    match set.members() {
+        Members::Complete => format!("complete {kind} set over {colors}"),
+        Members::Compact => format!("compact {kind} set over {colors}"),
+        Members::Pruned(pairs) => {
+            let pairs: Vec<String> = pairs.iter().map(|(a, b)| format!("{a}-{b}")).collect();
+            format!("pruned {kind} set (no {}) over {colors}", pairs.join(", "))
+        }
+        Members::Explicit(_) => format!("explicit {kind} set over {colors}"),
+    }
+}
+
+/// `4 colors`, `2 horizontal and 3 vertical colors`.
+fn colors(set: &TileSet) -> String {
+    let colors = set.colors();
+    match colors.single() {
+        Some(count) => number(count as u64, "color"),
+        None => format!(
+            "{} on north and south edges and {} on east and west edges",
+            number(colors.horizontal() as u64, "color"),
+            number(colors.vertical() as u64, "color")
+        ),
+    }
+}
+
+/// A torus: `16x16 torus`, or `ring of 9 (9x1)` for dominoes.
+pub fn torus(kind: Kind, shape: Shape) -> String {
+    match kind {
+        Kind::Domino => format!("ring of {} ({shape})", shape.cells()),
+        _ => format!("{shape} torus"),
+    }
+}
+
+/// How often the tiles of a valid packing occur: `each of 256 tiles once`.
+pub fn occurrences(packing: &Packing) -> String {
+    let tiles = number(packing.set.size(), "tile");
+    match (packing.cover, packing.set.is_compact()) {
+        (false, false) => format!("each of {tiles} once"),
+        (true, false) => format!("each of {tiles} at least once"),
+        (false, true) => format!("{tiles}, {}, each once", fixed(&packing.set)),
+        (true, true) => format!("{tiles}, {}, each at least once", fixed(&packing.set)),
+    }
+}
+
+fn fixed(set: &TileSet) -> &'static str {
+    match set.kind() {
+        Kind::Corner => "two for each (NW, SW, SE)",
+        _ => "two for each (N, W)",
+    }
+}
+
+/// What a question is about: `packing`, `covering`.
+pub fn sought(task: &Task) -> &'static str {
+    if task.cover { "covering" } else { "packing" }
+}
+
+/// What is asked of it besides: ` with this automorphism and these pins`.
+pub fn conditions(task: &Task) -> &'static str {
+    match (task.automorphism.is_some(), task.has_pins()) {
+        (false, false) => "",
+        (true, false) => " with this automorphism",
+        (false, true) => " with these pins",
+        (true, true) => " with this automorphism and these pins",
+    }
+}
+
+/// That a finished search found nothing.
+pub fn nothing(task: &Task) -> String {
+    let (sought, conditions) = (sought(task), conditions(task));
+    format!("there is no {sought}{conditions}: the search went through all possibilities")
+}
+
+/// `1 tile`, `2 tiles`.
+pub fn number(count: u64, what: &str) -> String {
+    format!("{count} {what}{}", if count == 1 { "" } else { "s" })
+}

@@ -1,0 +1,124 @@
+//! The longer help texts: what the program is about, and examples for every command.
+
+/// About the program.
+pub const PROGRAM: &str = "\
+Finds, counts, lists, verifies and draws packings of corner tiles, Wang tiles and dominoes on a \
+torus.
+
+A corner tile is a square with a color on each corner, a Wang tile one with a color on each edge, \
+a domino a segment with a color on each end. A packing uses every tile of a set exactly once, \
+neighbors agree on the colors they share, and the last row and column meet the first.
+
+Results go to standard output, everything else to standard error.";
+
+/// Examples for the program.
+pub const EXAMPLES: &str = "\
+Examples:
+  tilepack find --kind corner --colors 3           a packing of the 81 corner tiles over 3 colors
+  tilepack find --kind corner --colors 3 -o p.json; tilepack show p.json
+  tilepack count --kind wang --colors 2            how many packings of the 16 Wang tiles there are
+  tilepack count --kind corner --colors 2 --up-to-symmetry
+  tilepack list --kind corner --colors 2 -o all.jsonl; tilepack verify all.jsonl
+
+Exit codes:
+  0   done, and the answer is yes (found, valid, counted)
+  1   done, and the answer is no (not a packing, none exists)
+  2   wrong usage, or unreadable, malformed or contradictory input
+  75  stopped early by a signal or a limit";
+
+/// Examples for `find`.
+pub const FIND: &str = "\
+Without -o the packing is written to standard output as a text grid that verify and show read. \
+What is found is checked from the definition before it is written. The same options give the \
+same packing, whatever the number of threads.
+
+Examples:
+  tilepack find --kind corner --colors 3
+  tilepack find --kind corner --colors 3 --set compact --size 9x6 -o compact.json
+  tilepack find --kind corner --colors 4 --automorphism 4,0:1,2,3,0 --values random --seed 7
+  tilepack find --kind wang --colors 2,3 --order diagonal
+  tilepack find --kind corner --colors 2 --pin begun.txt    # a grid with . for free cells
+
+JSON fields (--json): result (found, none or stopped), method, width, height, nodes, seconds, \
+file, reason (why there is none), stopped_by (signal, time-limit or node-limit); without -o also \
+the packing itself, with the fields of a solution file. Numbers of nodes are strings of digits.";
+
+/// Examples for `count`.
+pub const COUNT: &str = "\
+Packings count as different when any cell differs. The search removes symmetry first and \
+multiplies it back exactly; with --up-to-symmetry the sizes of the orbits must add up to the \
+same number.
+
+Examples:
+  tilepack count --kind corner --colors 2
+  tilepack count --kind corner --colors 2 --up-to-symmetry
+  tilepack count --kind domino --colors 4
+  tilepack count --kind corner --colors 3 --automorphism 3,0:+1
+  tilepack count --kind corner --colors 3 --time-limit 1m       # too many to count: at least ...
+
+JSON fields (--json): result (complete or stopped), solutions, fundamental (with \
+--up-to-symmetry), up_to_translation (null where translates may coincide), nodes, seconds, \
+method, reason, stopped_by. Numbers of packings and nodes are strings of digits; when stopped \
+they are lower bounds.";
+
+/// Examples for `list`.
+pub const LIST: &str = "\
+The list is sorted, so that it does not depend on the number of threads. It is held in memory, \
+one byte or two a cell, before it is written.
+
+Examples:
+  tilepack list --kind corner --colors 2 -o all.jsonl
+  tilepack list --kind wang --colors 2 --up-to-symmetry | head -1 | tilepack show -
+  tilepack list --kind domino --colors 3 | tilepack verify -
+
+JSON fields (--json): result (complete or stopped), solutions (a string of digits: the number of \
+lines in the file), file, nodes, seconds, reason, stopped_by.";
+
+/// Examples for `verify`.
+pub const VERIFY: &str = "\
+A packing is right when every tile belongs to the set, neighbors agree on the colors they share, \
+also across both seams, and every tile occurs exactly once. (In a covering, --cover, at least \
+once. Of a compact set, exactly two tiles for each choice of the fixed colors.)
+
+A bare grid says neither its kind nor its colors: give --kind and --colors. Where a file and the \
+options both speak, they must agree. Rows and columns in messages count from 0.
+
+Exit code: 0 all valid, 1 some packing is not valid, 2 some file cannot be read or has a size \
+that does not match its set.
+
+Examples:
+  tilepack verify packing.json all.jsonl
+  tilepack verify --kind corner --colors 4 grid.txt
+  tilepack find --kind wang --colors 3 | tilepack verify -
+
+JSON fields (--json): files, a list with one object for each file: file, valid, kind, colors, \
+width, height, set, topology (those of the first packing; null if there is none), packings (how \
+many were read), error (null if valid; else the first fault).";
+
+/// Examples for `show`.
+pub const SHOW: &str = "\
+Corner tiles: the colors stand at the corners, each shared by four tiles. Wang tiles: the colors \
+stand at the edges. Where neighbors do not fit, a drawing without colors has an x, a drawing with \
+colors shows what each tile has. Colors are written 0-9, a-z, A-Z (numbers if there are more).
+
+Examples:
+  tilepack find --kind corner --colors 3 | tilepack show -
+  tilepack show --indices packing.json
+  tilepack show --color always packing.json | less -R
+  tilepack show --kind corner --colors 4 grid.txt";
+
+/// Examples for `sets`.
+pub const SETS: &str = "\
+The size is that of a formula, and is checked by listing the tiles unless there are more than \
+2^26 to look at.
+
+A tile has one number. Corner: ((NE*C + SE)*C + SW)*C + NW. Wang: ((N*CV + E)*CH + S)*CV + W. \
+Domino: first*C + second.
+
+Examples:
+  tilepack sets --kind corner --colors 4
+  tilepack sets --kind corner --colors 3 --set pruned:0-1 --list
+  tilepack sets --kind wang --colors 2,3 --list --json
+
+JSON fields (--json): size (a string of digits), tiles (with --list), kind, colors, set, checked \
+(whether the size was also found by listing).";

@@ -1,0 +1,62 @@
+//! The command line: raw arguments to a library call, and its answer to people and programs.
+//!
+//! * [`args`] is the command line as typed, [`help`] its longer texts; [`set`] and [`problem`]
+//!   turn it into what the library wants and refuse what makes no sense.
+//! * One file a command: [`find`], [`count`], [`list`], [`verify`], [`show`], [`sets`].
+//! * [`session`] runs a search with limits, [`signal`]s and [`progress`].
+//! * [`output`] writes results to standard output and remarks to standard error; [`exit`] holds
+//!   the exit codes. [`draw`] and its palette draw packings.
+//!
+//! Options, JSON fields and exit codes are a contract: other programs rely on them.
+
+pub mod args;
+pub mod count;
+pub mod describe;
+pub mod draw;
+pub mod duration;
+pub mod exit;
+pub mod find;
+pub mod help;
+pub mod list;
+pub mod output;
+pub mod problem;
+pub mod progress;
+pub mod session;
+pub mod set;
+pub mod sets;
+pub mod show;
+pub mod signal;
+pub mod source;
+pub mod verify;
+
+use args::{Cli, Command};
+use clap::Parser;
+use exit::Exit;
+
+/// Runs the program with the arguments of the process.
+pub fn run() -> Exit {
+    let cli = match Cli::try_parse() {
+        Ok(cli) => cli,
+        Err(error) => {
+            // Help goes to standard output, a complaint to standard error; if nobody reads it,
+            // so be it.
+            let _ = error.print();
+            return if error.use_stderr() { Exit::Bad } else { Exit::Yes };
+        }
+    };
+    let exit = match &cli.command {
+        Command::Find(args) => find::run(args),
+        Command::Count(args) => count::run(args),
+        Command::List(args) => list::run(args),
+        Command::Verify(args) => verify::run(args),
+        Command::Show(args) => show::run(args),
+        Command::Sets(args) => sets::run(args),
+    };
+    exit.unwrap_or_else(|error| {
+        if error.is::<output::Closed>() {
+            return Exit::Yes;
+        }
+        output::remark(&format!("{error:#}"));
+        Exit::Bad
+    })
+}

@@ -1,0 +1,155 @@
+//! How far a search has come, on standard error: a bar on a terminal, else a line every few
+//! seconds. A search of less than a second shows nothing.
+//!
+//! The only user of `indicatif`. The part of the tree that is done is Knuth's measure, in which
+//! every alternative of a node counts the same; the tree is not even, so it is called "about".
+
+use super::{describe, duration, output};
+use crate::search::Progress;
+use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+use std::cell::{Cell, OnceCell};
+use std::io::{self, IsTerminal};
+use std::time::Duration;
+
+/// Before this time nothing is shown on a terminal.
+const PATIENCE: Duration = Duration::from_secs(1);
+/// Time between two lines where there is no terminal.
+const BETWEEN_LINES: Duration = Duration::from_secs(5);
+/// Steps of the bar.
+const STEPS: u64 = 10_000;
+
+/// Shows progress, and remembers the last it was told.
+#[derive(Debug)]
+pub struct Display {
+    mode: Mode,
+    last: Cell<Option<Progress>>,
+}
+
+#[derive(Debug)]
+enum Mode {
+    Quiet,
+    /// The bar, once there is one.
+    Bar(OnceCell<ProgressBar>),
+    /// When the next line is due.
+    Lines(Cell<Duration>),
+}
+
+impl Display {
+    /// A display for standard error as it is.
+    pub fn new(quiet: bool) -> Self {
+        let mode = match (quiet, io::stderr().is_terminal()) {
+            (true, _) => Mode::Quiet,
+            (false, true) => Mode::Bar(OnceCell::new()),
+            (false, false) => Mode::Lines(Cell::new(BETWEEN_LINES)),
+        };
+        Self { mode, last: Cell::new(None) }
+    }
+
+    /// Takes a look at the search; called some twenty times a second.
+    pub fn show(&self, progress: &Progress) {
+        self.last.set(Some(*progress));
+        match &self.mode {
+            Mode::Quiet => {}
+            Mode::Bar(bar) if progress.elapsed >= PATIENCE => {
+                let bar = bar.get_or_init(new_bar);
+                bar.set_position((progress.fraction * STEPS as f64) as u64);
+                bar.set_message(words(progress));
+            }
+            Mode::Bar(_) => {}
+            Mode::Lines(due) => {
+                if progress.elapsed >= due.get() {
+                    due.set(progress.elapsed + BETWEEN_LINES);
+                    output::remark(&words(progress));
+                }
+            }
+        }
+    }
+
+    /// Takes the display away and gives the last progress shown, if there was time for any.
+    pub fn finish(&self) -> Option<Progress> {
+        if let Mode::Bar(bar) = &self.mode
+            && let Some(bar) = bar.get()
+        {
+            bar.finish_and_clear();
+        }
+        self.last.get()
+    }
+}
+
+fn new_bar() -> ProgressBar {
+    let bar = ProgressBar::with_draw_target(Some(STEPS), ProgressDrawTarget::stderr());
+    // Plain blocks; should the template ever be refused, the default one does as well.
+    if let Ok(style) = ProgressStyle::with_template("[{bar:20}] {wide_msg}") {
+        bar.set_style(style.progress_chars("=> "));
+    }
+    bar
+}
+
+/// All there is to say, the most telling first, in one line.
+fn words(progress: &Progress) -> String {
+    let Progress { nodes, solutions, deepest, levels, fraction, elapsed } = *progress;
+    let rate = nodes as f64 / elapsed.as_secs_f64().max(1e-3);
+    format!(
+        "about {} of the tree, {} nodes, {} nodes/s, deepest level {deepest} of {levels}, \
+         {} met, {}",
+        percent(fraction),
+        rounded(nodes as f64),
+        rounded(rate),
+        describe::number(solutions, "solution"),
+        duration::words(elapsed)
+    )
+}
+
+/// A part of 1 as a percentage, however small.
+pub fn percent(part: f64) -> String {
+    let percent = 100.0 * part;
+    if percent == 0.0 || percent >= 0.01 {
+        // Never "100.00 %" before the end.
+        format!("{:.2} %", (percent * 100.0).floor() / 100.0)
+    } else {
+        format!("{percent:.1e} %")
+    }
+}
+
+/// A large number for people: `41.3 million`.
+fn rounded(number: f64) -> String {
+    for (unit, name) in [(1e12, "trillion"), (1e9, "billion"), (1e6, "million")] {
+        if number >= unit {
+            return format!("{:.2} {name}", number / unit);
+        }
+    }
+    format!("{number:.0}")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_for_people() {
+        assert_eq!(rounded(999_999.0), "999999");
+        assert_eq!(rounded(41_250_000.0), "41.25 million");
+        assert_eq!(rounded(2.5e12), "2.50 trillion");
+        assert_eq!(percent(0.0), "0.00 %");
+        assert_eq!(percent(0.12345), "12.34 %");
+        assert_eq!(percent(0.99999), "99.99 %");
+        assert_eq!(percent(3.2e-9), "3.2e-7 %");
+    }
+
+    #[test]
+    fn a_line_says_everything() {
+        let progress = Progress {
+            nodes: 2_000_000,
+            solutions: 3,
+            deepest: 40,
+            levels: 81,
+            fraction: 0.25,
+            elapsed: Duration::from_secs(4),
+        };
+        assert_eq!(
+            words(&progress),
+            "about 25.00 % of the tree, 2.00 million nodes, 500000 nodes/s, \
+             deepest level 40 of 81, 3 solutions met, 4.00 s"
+        );
+    }
+}
