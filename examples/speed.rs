@@ -21,23 +21,10 @@ fn main() {
         "compact3" => task(Kind::Corner, 3, Members::Compact),
         _ => panic!(),
     };
-    if which == "quot3" {
-        t.automorphism = Some(Automorphism::parse("3,0:+1", t.set.colors(), t.shape).unwrap());
-    }
-    let s = Settings {
-        threads,
-        reduce: which != "wang2",
-        limits: Limits { stop: &(), nodes: limit },
-        ..Settings::PLAIN
-    };
+    if which == "quot3" { t.automorphism = Some(Automorphism::parse("3,0:+1", t.set.colors(), t.shape).unwrap()); }
+    let s = Settings { threads, reduce: which != "wang2", limits: Limits { stop: &(), nodes: limit }, ..Settings::PLAIN };
     let t0 = std::time::Instant::now();
     let a = count(&t, &s, false).unwrap();
     let d = t0.elapsed().as_secs_f64();
-    println!(
-        "{which} packings {} nodes {} {d:.3} s {:.1} M/s deepest {}",
-        a.value.packings,
-        a.work.nodes,
-        a.work.nodes as f64 / d / 1e6,
-        a.work.deepest
-    );
+    println!("{which} packings {} nodes {} {d:.3} s {:.1} M/s deepest {}", a.value.packings, a.work.nodes, a.work.nodes as f64 / d / 1e6, a.work.deepest);
 }

@@ -231,6 +231,9 @@ impl<const N: usize, R: WangRule<N>, const QUOTIENT: bool> Wang<N, R, QUOTIENT> 
         let used = self.used[0];
         for level in 0..fixed {
             let mut candidates = self.candidates(level);
+            if QUOTIENT && !R::EXACT {
+                candidates = self.tried(candidates);
+            }
             if candidates.is_empty() {
                 return Err(self.steps[level].cell);
             }
