@@ -3,7 +3,10 @@
 
 #![allow(clippy::unwrap_used, clippy::panic)]
 
+mod automorphisms;
+mod coverings;
 mod engines;
+mod explicit;
 mod oracle;
-mod scratch;
+mod pins;
 mod table;
