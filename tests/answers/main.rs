@@ -7,6 +7,7 @@ mod automorphisms;
 mod coverings;
 mod engines;
 mod explicit;
+mod first;
 mod oracle;
 mod pins;
 mod table;
