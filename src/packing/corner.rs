@@ -57,8 +57,8 @@ struct Around {
     cell: u32,
     /// How many there are of each.
     number: Placed,
-    /// Whether the first window has this point as its free corner only.
-    sieve: bool,
+    /// How many of each, which come first, are known but for this point.
+    sieve: Placed,
     across: [(u32, u32); 2],
     along: [(u32, u32); 2],
     windows: [Window; 4],
@@ -261,18 +261,14 @@ impl<R: Rule, const W: usize, const C: usize, const L: usize, const QUOTIENT: bo
         let around = &self.around[level];
         let cell = around.cell;
         let mut fitting = candidates;
-        for &(first, second) in &around.across[..around.number.across.into()] {
-            if second == cell && first != cell {
-                fitting &= self.caps.open_across(self.value[first as usize]);
-            }
+        for &(first, _) in &around.across[..around.sieve.across.into()] {
+            fitting &= self.caps.open_across(self.value[first as usize]);
         }
-        for &(first, second) in &around.along[..around.number.along.into()] {
-            if second == cell && first != cell {
-                fitting &= self.caps.open_along(self.value[first as usize]);
-            }
+        for &(first, _) in &around.along[..around.sieve.along.into()] {
+            fitting &= self.caps.open_along(self.value[first as usize]);
         }
-        if around.sieve {
-            let known = self.colors(around.windows[0].known);
+        for window in &around.windows[..around.sieve.windows.into()] {
+            let known = self.colors(window.known);
             fitting &= self.rule.open(self.row(known));
         }
         for color in Words([fitting]).numbers() {
@@ -350,11 +346,16 @@ impl Place {
 
 impl Around {
     fn of(step: &Step) -> Self {
-        let mut around = Self { cell: step.cell, sieve: step.sieve, ..Self::default() };
-        around.number = Placed {
-            across: step.across.len() as u8,
-            along: step.along.len() as u8,
-            windows: step.windows.len() as u8,
+        let numbers = |across: usize, along: usize, windows: usize| Placed {
+            across: across as u8,
+            along: along as u8,
+            windows: windows as u8,
+        };
+        let mut around = Self {
+            cell: step.cell,
+            number: numbers(step.across.len(), step.along.len(), step.windows.len()),
+            sieve: numbers(step.sieve.across, step.sieve.along, step.sieve.windows),
+            ..Self::default()
         };
         around.across[..step.across.len()].copy_from_slice(&step.across);
         around.along[..step.along.len()].copy_from_slice(&step.along);

@@ -33,9 +33,9 @@ pub struct Step {
     pub cell: u32,
     /// The known corners of its window, when it is just the free corner of just one window.
     pub simple: Option<[u32; 3]>,
-    /// Whether the first of the windows has this point as its free corner only: a cheap sieve
-    /// for the candidates of the general way.
-    pub sieve: bool,
+    /// How many of the windows and dominoes, which come first, have this point as their last
+    /// one and otherwise known ones: a cheap sieve for the candidates of the general way.
+    pub sieve: Sieve,
     /// The points of its orbit, one step of the automorphism after the other, itself first.
     pub orbit: Vec<u32>,
     /// The windows known from here on, one of every orbit.
@@ -44,6 +44,17 @@ pub struct Step {
     pub across: Vec<(u32, u32)>,
     /// The vertical dominoes (neighbor, point) known from here on, one of every orbit.
     pub along: Vec<(u32, u32)>,
+}
+
+/// Numbers of windows and dominoes.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub struct Sieve {
+    /// Windows.
+    pub windows: usize,
+    /// Horizontal dominoes.
+    pub across: usize,
+    /// Vertical dominoes.
+    pub along: usize,
 }
 
 /// The steps of a search over lattice points.
@@ -75,7 +86,7 @@ impl CornerPlan {
             .map(|&cell| Step {
                 cell: cell.0,
                 simple: None,
-                sieve: false,
+                sieve: Sieve::default(),
                 orbit: quotient.orbit(cell).map(|cell| cell.0).collect(),
                 windows: Vec::new(),
                 across: Vec::new(),
@@ -113,11 +124,18 @@ impl CornerPlan {
         }
         for (level, step) in steps.iter_mut().enumerate() {
             let is_known = |cell: u32| level_of[cell as usize] < level;
-            let sieves = |window: &Window| {
-                window.free == step.cell && window.known.into_iter().all(is_known)
+            let point = step.cell;
+            let window =
+                |window: &Window| window.free == point && window.known.into_iter().all(is_known);
+            let domino = |domino: &(u32, u32)| domino.1 == point && is_known(domino.0);
+            step.windows.sort_by_key(|known| !window(known));
+            step.across.sort_by_key(|known| !domino(known));
+            step.along.sort_by_key(|known| !domino(known));
+            step.sieve = Sieve {
+                windows: step.windows.iter().take_while(|known| window(known)).count(),
+                across: step.across.iter().take_while(|known| domino(known)).count(),
+                along: step.along.iter().take_while(|known| domino(known)).count(),
             };
-            step.windows.sort_by_key(|window| !sieves(window));
-            step.sieve = step.windows.first().is_some_and(sieves);
             step.simple = simple(step);
         }
         let is_fixed = |step: &Step| step.orbit.iter().any(|&cell| fixed[cell as usize]);
@@ -170,7 +188,7 @@ fn along(shape: Shape, upward: bool, cell: Cell) -> Vec<u32> {
 /// the two dominoes at its free corner.
 fn simple(step: &Step) -> Option<[u32; 3]> {
     let &[Window { known, .. }] = &step.windows[..] else { return None };
-    let fits = step.sieve
+    let fits = step.sieve.windows == 1
         && step.across[..] == [(known[2], step.cell)]
         && step.along[..] == [(known[1], step.cell)];
     fits.then_some(known)

@@ -32,46 +32,53 @@ pub(crate) trait Visitor {
 /// Makes the problem of a task, as small and as large in words as it may be.
 pub(crate) fn with_problem(task: &Task, reduce: bool, visitor: &mut impl Visitor) {
     let reduction = if reduce { Reduction::full(task) } else { Reduction::none() };
-    let spare = task.shape.cells() as u64 - task.set.size();
     match task.set.kind() {
         Kind::Corner => {
-            let limit = task.set.is_compact().then_some(2);
-            match (task.cover, task.set.is_compact()) {
-                (true, _) => {
-                    let cover = |rows| rule::Cover::new(rows, spare, limit);
-                    visitor
-                        .visit(Corner::<_, true>::new(task, &reduction, cover).unwrap().unwrap());
-                }
-                (false, true) => {
-                    let law = rule::Pairs::new;
-                    visitor.visit(Corner::<_, true>::new(task, &reduction, law).unwrap().unwrap());
-                    if task.automorphism.is_none() {
-                        let small = Corner::<_, false>::new(task, &reduction, law);
-                        visitor.visit(small.unwrap().unwrap());
-                    }
-                }
-                (false, false) => {
-                    let law = rule::Once::new;
-                    visitor.visit(Corner::<_, true>::new(task, &reduction, law).unwrap().unwrap());
-                    if task.automorphism.is_none() {
-                        let small = Corner::<_, false>::new(task, &reduction, law);
-                        visitor.visit(small.unwrap().unwrap());
-                    }
-                }
-            }
+            with_corner::<1, 4, 64, 512>(task, &reduction, visitor);
+            with_corner::<2, 8, 512, 8192>(task, &reduction, visitor);
         }
         Kind::Wang => {
-            with_wang::<1>(task, &reduction, Shown::Both, visitor);
-            with_wang::<4>(task, &reduction, Shown::Both, visitor);
+            with_wang::<1, 128>(task, &reduction, Shown::Both, visitor);
+            with_wang::<4, 512>(task, &reduction, Shown::Both, visitor);
         }
         Kind::Domino => {
             let reduction = ring::reduction(task, &reduction).unwrap();
-            with_wang::<1>(&ring::task(task).unwrap(), &reduction, ring::shown(task), visitor);
+            with_wang::<1, 128>(&ring::task(task).unwrap(), &reduction, ring::shown(task), visitor);
         }
     }
 }
 
-fn with_wang<const N: usize>(
+fn with_corner<const W: usize, const C: usize, const ROWS: usize, const L: usize>(
+    task: &Task,
+    reduction: &Reduction,
+    visitor: &mut impl Visitor,
+) {
+    let spare = task.shape.cells() as u64 - task.set.size();
+    let compact = task.set.is_compact();
+    if task.cover {
+        let law = |rows| rule::Cover::<ROWS>::new(rows, spare, compact.then_some(2));
+        let problem = Corner::<_, W, C, L, true>::new(task, reduction, law);
+        visitor.visit(problem.unwrap().unwrap());
+    } else if compact {
+        let law = rule::Pairs::<ROWS>::new;
+        let problem = Corner::<_, W, C, L, true>::new(task, reduction, law);
+        visitor.visit(problem.unwrap().unwrap());
+        if task.automorphism.is_none() {
+            let small = Corner::<_, W, C, L, false>::new(task, reduction, law);
+            visitor.visit(small.unwrap().unwrap());
+        }
+    } else {
+        let law = rule::Once::<ROWS>::new;
+        let problem = Corner::<_, W, C, L, true>::new(task, reduction, law);
+        visitor.visit(problem.unwrap().unwrap());
+        if task.automorphism.is_none() {
+            let small = Corner::<_, W, C, L, false>::new(task, reduction, law);
+            visitor.visit(small.unwrap().unwrap());
+        }
+    }
+}
+
+fn with_wang<const N: usize, const L: usize>(
     task: &Task,
     reduction: &Reduction,
     shown: Shown,
@@ -89,16 +96,17 @@ fn with_wang<const N: usize>(
     let spare = task.shape.cells() as u64 - set.size();
     if task.cover {
         let law = wang_rule::Cover::<N>::new(tiles, spare, set.is_compact().then(class));
-        visitor.visit(Wang::<N, _, true>::new(task, reduction, shown, law).unwrap().unwrap());
+        visitor.visit(Wang::<N, L, _, true>::new(task, reduction, shown, law).unwrap().unwrap());
     } else if set.is_compact() {
         let law = wang_rule::Pairs::<N>::new(class());
-        visitor.visit(Wang::<N, _, true>::new(task, reduction, shown, law).unwrap().unwrap());
+        visitor.visit(Wang::<N, L, _, true>::new(task, reduction, shown, law).unwrap().unwrap());
     } else {
         let law = wang_rule::Once::<N>::new(tiles);
-        visitor
-            .visit(Wang::<N, _, true>::new(task, reduction, shown, law.clone()).unwrap().unwrap());
+        visitor.visit(
+            Wang::<N, L, _, true>::new(task, reduction, shown, law.clone()).unwrap().unwrap(),
+        );
         if task.automorphism.is_none() {
-            let small = Wang::<N, _, false>::new(task, reduction, shown, law);
+            let small = Wang::<N, L, _, false>::new(task, reduction, shown, law);
             visitor.visit(small.unwrap().unwrap());
         }
     }
