@@ -4,10 +4,12 @@
 #![allow(clippy::unwrap_used, clippy::panic)]
 
 mod automorphisms;
+mod best;
 mod coverings;
 mod engines;
 mod explicit;
 mod first;
+mod holes;
 mod oracle;
 mod pins;
 mod table;
