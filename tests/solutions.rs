@@ -1,0 +1,99 @@
+//! The packings in `solutions/`: all of them valid, all of them listed, and those that do not
+//! take long written again byte for byte.
+
+#![allow(clippy::unwrap_used)]
+
+use std::collections::BTreeSet;
+use std::fs;
+use std::path::{Path, PathBuf};
+use tilepack::store::{Claim, Input, read_solution};
+use tilepack::tiles::{Colors, Kind};
+use tilepack::verify;
+
+fn folder() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("solutions")
+}
+
+fn names() -> BTreeSet<String> {
+    let entries = fs::read_dir(folder()).unwrap();
+    let names = entries.map(|entry| entry.unwrap().file_name().into_string().unwrap());
+    names.filter(|name| name.ends_with(".json")).collect()
+}
+
+/// Name, kind, colors, tiles.
+const WANTED: &[(&str, Kind, &str, usize)] = &[
+    ("corner-complete-2-4x4.json", Kind::Corner, "2", 16),
+    ("corner-complete-3-9x9.json", Kind::Corner, "3", 81),
+    ("corner-complete-4-16x16.json", Kind::Corner, "4", 256),
+    ("corner-compact-3-9x6.json", Kind::Corner, "3", 54),
+    ("corner-compact-4-16x8.json", Kind::Corner, "4", 128),
+    ("corner-compact-4-16x8-unrestricted.json", Kind::Corner, "4", 128),
+    ("wang-complete-2-4x4.json", Kind::Wang, "2", 16),
+    ("wang-complete-3-9x9.json", Kind::Wang, "3", 81),
+    ("wang-complete-2-3-9x4.json", Kind::Wang, "2,3", 36),
+    ("wang-compact-3-6x3.json", Kind::Wang, "3", 18),
+    ("domino-complete-2.json", Kind::Domino, "2", 4),
+    ("domino-complete-3.json", Kind::Domino, "3", 9),
+    ("domino-complete-4.json", Kind::Domino, "4", 16),
+    ("domino-complete-5.json", Kind::Domino, "5", 25),
+    ("domino-complete-6.json", Kind::Domino, "6", 36),
+    ("domino-complete-7.json", Kind::Domino, "7", 49),
+    ("domino-complete-8.json", Kind::Domino, "8", 64),
+];
+
+#[test]
+fn all_are_valid() {
+    let wanted: BTreeSet<String> = WANTED.iter().map(|row| row.0.to_owned()).collect();
+    assert_eq!(names(), wanted, "files and the table of this test");
+    for &(name, kind, colors, tiles) in WANTED {
+        let input = Input::open(&folder().join(name)).unwrap();
+        let solution = read_solution(&input, &Claim::default()).unwrap();
+        let packing = &solution.packing;
+        assert_eq!(packing.set.kind(), kind, "{name}");
+        assert_eq!(packing.set.colors(), colors.parse::<Colors>().unwrap(), "{name}");
+        assert_eq!(packing.tiles.len(), tiles, "{name}");
+        assert!(verify::check(packing).is_valid(), "{name}: {}", verify::check(packing));
+        assert!(solution.provenance.get("method").is_some(), "{name} has no provenance");
+    }
+}
+
+#[test]
+fn the_published_packing_is_valid() {
+    let input = Input::open(&folder().join("published/lagae-dutre-2006-corner-4.txt")).unwrap();
+    let claim = Claim {
+        kind: Some(Kind::Corner),
+        colors: Some(Colors::one(4).unwrap()),
+        ..Claim::default()
+    };
+    let solution = read_solution(&input, &claim).unwrap();
+    assert!(verify::check(&solution.packing).is_valid());
+}
+
+#[test]
+fn commands_write_the_files_again() {
+    let readme = fs::read_to_string(folder().join("README.md")).unwrap();
+    let target = tempfile::tempdir().unwrap();
+    let mut written = 0;
+    for row in readme.lines().filter(|line| line.starts_with("| `")) {
+        let code: Vec<&str> = row.split('`').skip(1).step_by(2).collect();
+        let &[name, command] = &code[..] else { continue };
+        // Some 44 million nodes: a matter of seconds, but not for a test.
+        if name.contains("unrestricted") {
+            continue;
+        }
+        let colors = if name.contains("-C.") { 2..=8 } else { 0..=0 };
+        for c in colors {
+            let (name, command) = (
+                name.replace("-C.", &format!("-{c}.")),
+                command.replace("colors C", &format!("colors {c}")),
+            );
+            let out = target.path().join(&name);
+            let mut again = std::process::Command::new(env!("CARGO_BIN_EXE_tilepack"));
+            again.args(command.split(' ').skip(1)).arg("--quiet").arg("-o").arg(&out);
+            assert!(again.status().unwrap().success(), "{command}");
+            assert_eq!(fs::read(out).unwrap(), fs::read(folder().join(&name)).unwrap(), "{name}");
+            written += 1;
+        }
+    }
+    assert_eq!(written, WANTED.len() - 1);
+}
