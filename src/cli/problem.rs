@@ -8,8 +8,9 @@ use crate::symmetry::Automorphism;
 use crate::torus::{Order, Shape};
 use anyhow::{Context, bail};
 
-/// Cells of the largest torus that is searched: that of the largest complete set.
-const MAX_CELLS: usize = MAX_SEARCH_COLORS.pow(4);
+/// Cells of the largest torus that is searched. A search takes about a kilobyte a cell, and far
+/// fewer cells are beyond it; but it should say so and stop in time rather than fill the memory.
+const MAX_CELLS: usize = 1 << 20;
 
 /// The task that the options describe.
 ///
