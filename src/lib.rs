@@ -1,4 +1,48 @@
-//! Tile packings and the search for them.
+//! Finds, counts, lists and verifies packings of square tiles.
+//!
+//! Square tiles with colored corners (*corner tiles*) or colored edges (*Wang tiles*) fill the
+//! plane without visible repetition; textures and point sets are synthesized on them. To live
+//! in one texture that can be filtered, a tile set must be *packed*: every tile exactly once on
+//! a torus, neighbors matching. This crate answers which packings there are, and how many.
+//!
+//! # The book
+//!
+//! 1. [`tiles`]: what a tile is, its number, and the sets: complete, compact, pruned, explicit.
+//! 2. [`torus`]: where tiles go, and the labels that neighbors share.
+//! 3. [`search`]: exhaustive search that knows no tiles: paths, slices, threads.
+//! 4. [`symmetry`]: what leaves a set of packings as it is: canonical forms and orbits.
+//! 5. [`packing`]: the problems, their pruning, and the answers to [`packing::Task`]s.
+//! 6. [`verify`]: packings checked from the definition, by code that shares nothing with the
+//!    search.
+//! 7. [`store`]: files, whole or not at all.
+//! 8. [`cli`]: the command line.
+//!
+//! Every layer uses only those before it (the search none), so each can be read, and trusted,
+//! without the later ones.
+//!
+//! # An example
+//!
+//! The packings of all 16 corner tiles over two colors, and the first of them checked:
+//!
+//! ```
+//! use tilepack::packing::{self, Settings, Task};
+//! use tilepack::tiles::{Colors, Kind, Members, TileSet};
+//! use tilepack::torus::Shape;
+//! use tilepack::verify;
+//!
+//! let set = TileSet::new(Kind::Corner, Colors::one(2)?, Members::Complete)?;
+//! let task = Task::new(set.clone(), Shape::new(4, 4)?);
+//!
+//! let counted = packing::count(&task, &Settings::PLAIN, true)?;
+//! assert_eq!(counted.value.packings, 32u32.into());
+//! assert_eq!(counted.value.fundamental, Some(1));
+//!
+//! let labels = packing::find(&task, &Settings::PLAIN)?.value.expect("there are 32");
+//! let packing = task.lattice().packing(&labels, &set, false);
+//! assert!(verify::check(&packing).is_valid());
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+
 pub mod cli;
 pub mod packing;
 pub mod search;

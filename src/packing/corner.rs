@@ -1,39 +1,80 @@
 //! Corner packings: colors on lattice points.
 //!
 //! The candidates of a point are the AND of the tiles its window may still become ([`Rule`])
-//! and the counts not used up ([`Caps`]). With a prescribed automorphism a choice writes the
-//! whole orbit and places the whole orbit of its tiles.
+//! and the dominoes not used up ([`Caps`]). With a prescribed automorphism a choice writes the
+//! whole orbit and places the whole orbit of its tiles. Points that complete just one window as
+//! its free corner, nearly all, go the simple way; the others are tried out color by color.
 //!
 //! Invariant: `value` holds the colors of all points at levels pushed; `rule` and `caps` hold
 //! exactly the windows and dominoes whose points are all known.
 
-use super::caps::{Caps, colors};
-use super::corner_plan::{CornerPlan, Step};
+use super::caps::Caps;
+use super::corner_plan::{CornerPlan, Step, Window};
 use super::quotient::Quotient;
 use super::reduction::Reduction;
 use super::rule::Rule;
-use super::{Labeled, Task, TaskError};
+use super::table::Table;
+use super::{Labeled, MAX_SEARCH_COLORS, Task, TaskError};
 use crate::search::{Alternatives, Problem, Words};
 use crate::tiles::{Kind, TileSet};
+use crate::torus::Cell;
 
-/// The search for corner packings under a rule; `QUOTIENT` with a prescribed automorphism.
-#[derive(Debug, Clone)]
-pub struct Corner<R, const QUOTIENT: bool> {
-    steps: Vec<Step>,
-    value: Vec<u8>,
-    rule: R,
-    caps: Caps,
-    /// Bits of a color in the index of a row.
-    shift: u32,
-    /// The color maps of 0, 1, … steps of the automorphism.
-    maps: Vec<Vec<u8>>,
-    /// By level: one more than the largest color used before it.
-    used: Vec<u8>,
-    /// By that number: the colors that may follow.
-    follow: Vec<u64>,
+/// What the inner loop needs of a step.
+#[derive(Debug, Clone, Copy, Default)]
+struct Place {
+    cell: u32,
+    /// The known corners of the window, when the step has a simple one.
+    known: [u32; 3],
+    simple: bool,
 }
 
-impl<R: Rule, const QUOTIENT: bool> Corner<R, QUOTIENT> {
+/// The search for corner packings under a rule, over at most `C = 4 * W` colors and fewer than `L`
+/// cells; `QUOTIENT` with a prescribed automorphism.
+#[derive(Debug, Clone)]
+pub struct Corner<R, const W: usize, const C: usize, const L: usize, const QUOTIENT: bool> {
+    places: Table<Place, L>,
+    value: Table<u8, L>,
+    rule: R,
+    caps: Caps<W, C>,
+    /// Bits of a color in the index of a row.
+    shift: u32,
+    /// By level: one more than the largest color used before it.
+    used: Table<u8, L>,
+    /// By that number: the colors that may follow.
+    follow: Table<u64, 128>,
+    around: Table<Around, L>,
+    /// The color maps of 0, 1, … steps of the automorphism.
+    maps: Vec<Vec<u8>>,
+    /// By level: the points of its orbit.
+    orbits: Vec<Vec<u32>>,
+    cells: usize,
+}
+
+/// What a step that is not simple decides: no more than the four windows and four dominoes
+/// around a point.
+#[derive(Debug, Clone, Copy, Default)]
+struct Around {
+    cell: u32,
+    /// How many there are of each.
+    number: Placed,
+    /// Whether the first window has this point as its free corner only.
+    sieve: bool,
+    across: [(u32, u32); 2],
+    along: [(u32, u32); 2],
+    windows: [Window; 4],
+}
+
+/// How much of a step has been placed: dominoes and windows, each with its images.
+#[derive(Debug, Clone, Copy, Default)]
+struct Placed {
+    across: u8,
+    along: u8,
+    windows: u8,
+}
+
+impl<R: Rule, const W: usize, const C: usize, const L: usize, const QUOTIENT: bool>
+    Corner<R, W, C, L, QUOTIENT>
+{
     /// The problem of a task that has been checked.
     ///
     /// `rule` is given the tiles allowed, row by row. `Ok(None)` means that what the reduction
@@ -62,37 +103,29 @@ impl<R: Rule, const QUOTIENT: bool> Corner<R, QUOTIENT> {
         let plan = CornerPlan::new(task, &quotient, &fixed);
         let limit = task.set.is_compact().then_some(2);
         let allowed = allowed_rows(&task.set, shift, &maps, !task.cover, limit);
-        let levels = plan.steps.len();
-        let largest = (1u64 << (count - 1)) | ((1u64 << (count - 1)) - 1);
-        let follow = (0..=count as u32)
-            .map(|used| match reduction.ordered_from {
-                Some(_) => largest & u64::MAX.checked_shl(used + 1).map_or(u64::MAX, |high| !high),
-                None => largest,
-            })
-            .collect();
+        let used = given.iter().flatten().max().map_or(0, |&color| color + 1);
         let mut problem = Self {
-            steps: plan.steps,
-            value: vec![0; task.shape.cells()],
+            places: Table::new(plan.steps.iter().map(Place::of).collect(), Place::default()),
+            value: Table::new(vec![0; task.shape.cells()], 0),
             rule: rule(allowed),
-            caps: caps(task, shift),
+            caps: caps(task),
             shift,
+            used: Table::new(vec![used; plan.steps.len() + 1], 0),
+            follow: Table::new(follow(count, reduction.ordered_from.is_some()), 0),
+            around: Table::new(plan.steps.iter().map(Around::of).collect(), Around::default()),
             maps,
-            used: vec![0; levels + 1],
-            follow,
+            orbits: plan.steps.into_iter().map(|step| step.orbit).collect(),
+            cells: task.shape.cells(),
         };
         for step in &plan.fixed {
             if let Err(cell) = problem.fix(step, &given) {
-                let (row, column) = task.shape.position(crate::torus::Cell(cell));
-                return match task.has_pins() {
-                    true => Err(TaskError::Pins(format!(
-                        "the color at row {row}, column {column} breaks the law of the set or of the automorphism"
-                    ))),
-                    false => Ok(None),
-                };
+                let (row, column) = task.shape.position(Cell(cell));
+                let message = format!(
+                    "the color at row {row}, column {column} breaks the law of the set or of the automorphism"
+                );
+                return if task.has_pins() { Err(TaskError::Pins(message)) } else { Ok(None) };
             }
         }
-        let largest_fixed = given.iter().flatten().max().map_or(0, |&color| color + 1);
-        problem.used[0] = largest_fixed;
         Ok(Some(problem))
     }
 
@@ -101,7 +134,7 @@ impl<R: Rule, const QUOTIENT: bool> Corner<R, QUOTIENT> {
         let orbit = step.orbit.iter().zip(&self.maps);
         let known = orbit.clone().find_map(|(&cell, map)| {
             let color = given[cell as usize]?;
-            map.iter().position(|&image| image == color).map(|x| x as u8)
+            map.iter().position(|&image| image == color).map(|color| color as u8)
         });
         let color = known.ok_or(step.cell)?;
         for (&cell, map) in orbit {
@@ -109,7 +142,11 @@ impl<R: Rule, const QUOTIENT: bool> Corner<R, QUOTIENT> {
                 return Err(cell);
             }
         }
-        if self.place_checked(step, color) { Ok(()) } else { Err(step.cell) }
+        for (&cell, map) in step.orbit.iter().zip(&self.maps) {
+            self.value[cell as usize] = map[usize::from(color)];
+        }
+        let (_, fits) = self.place(&Around::of(step));
+        if fits { Ok(()) } else { Err(step.cell) }
     }
 
     #[inline(always)]
@@ -119,18 +156,13 @@ impl<R: Rule, const QUOTIENT: bool> Corner<R, QUOTIENT> {
     }
 
     #[inline(always)]
-    fn write(&mut self, cell: u32, orbit: &[u32], color: u8) {
-        self.value[cell as usize] = color;
-        if QUOTIENT {
-            for (&cell, map) in orbit.iter().zip(&self.maps).skip(1) {
-                self.value[cell as usize] = map[usize::from(color)];
-            }
-        }
+    fn colors(&self, cells: [u32; 3]) -> [u8; 3] {
+        cells.map(|cell| self.value[cell as usize])
     }
 
-    /// Applies `change` to a window and to its images.
+    /// Applies `change` to the rule for a window and its images.
     #[inline(always)]
-    fn each_image(&mut self, known: [u8; 3], free: u8, change: impl Fn(&mut R, usize, u32)) {
+    fn each_window(&mut self, known: [u8; 3], free: u8, change: impl Fn(&mut R, usize, u32)) {
         let row = self.row(known);
         change(&mut self.rule, row, free.into());
         if QUOTIENT {
@@ -142,157 +174,258 @@ impl<R: Rule, const QUOTIENT: bool> Corner<R, QUOTIENT> {
         }
     }
 
-    /// Applies `change` to a pair of colors and to its images.
+    /// Applies `change` to the caps for a domino and its images; whether all are true.
     #[inline(always)]
-    fn each_pair(&mut self, first: u8, second: u8, change: impl Fn(&mut Caps, u8, u8)) {
-        change(&mut self.caps, first, second);
+    fn each_domino(
+        &mut self,
+        first: u8,
+        second: u8,
+        change: impl Fn(&mut Caps<W, C>, u8, u8) -> bool,
+    ) -> bool {
+        let mut all = change(&mut self.caps, first, second);
         if QUOTIENT {
             for map in &self.maps[1..] {
-                change(&mut self.caps, map[usize::from(first)], map[usize::from(second)]);
+                all &= change(&mut self.caps, map[usize::from(first)], map[usize::from(second)]);
+            }
+        }
+        all
+    }
+
+    /// Writes the color of a point and of its orbit.
+    #[inline(always)]
+    fn write(&mut self, level: usize, cell: u32, color: u8) {
+        self.value[cell as usize] = color;
+        if QUOTIENT {
+            for (&cell, map) in self.orbits[level].iter().zip(&self.maps).skip(1) {
+                self.value[cell as usize] = map[usize::from(color)];
             }
         }
     }
 
-    /// Places the color of a step; true when nothing was violated. Either way it is placed as
-    /// far as `unplace_general` with the number of windows taken undoes.
-    fn place_general(&mut self, step: &Step, color: u8) -> (usize, bool) {
-        self.write(step.cell, &step.orbit, color);
-        self.each_pair(color, color, |caps, color, _| caps.take_color(color));
-        for &(a, b) in &step.across {
-            let (a, b) = (self.value[a as usize], self.value[b as usize]);
-            self.each_pair(a, b, Caps::take_across);
+    fn ends(&self, domino: (u32, u32)) -> (u8, u8) {
+        (self.value[domino.0 as usize], self.value[domino.1 as usize])
+    }
+
+    fn corners(&self, window: Window) -> ([u8; 3], u8) {
+        (self.colors(window.known), self.value[window.free as usize])
+    }
+
+    /// Places what the color just written decides, up to the first violation; how far, and
+    /// whether there was none.
+    fn place(&mut self, around: &Around) -> (Placed, bool) {
+        let mut placed = Placed::default();
+        for &domino in &around.across[..around.number.across.into()] {
+            let (first, second) = self.ends(domino);
+            placed.across += 1;
+            if !self.each_domino(first, second, Caps::take_across) {
+                return (placed, false);
+            }
         }
-        for &(a, b) in &step.along {
-            let (a, b) = (self.value[a as usize], self.value[b as usize]);
-            self.each_pair(a, b, Caps::take_along);
+        for &domino in &around.along[..around.number.along.into()] {
+            let (first, second) = self.ends(domino);
+            placed.along += 1;
+            if !self.each_domino(first, second, Caps::take_along) {
+                return (placed, false);
+            }
         }
-        if !self.caps.hold() {
-            return (0, false);
-        }
-        for (taken, window) in step.windows.iter().enumerate() {
-            let (known, free) = colors(window, &self.value);
+        for &window in &around.windows[..around.number.windows.into()] {
+            let (known, free) = self.corners(window);
             if self.rule.open(self.row(known)) >> free & 1 == 0 {
-                return (taken, false);
+                return (placed, false);
             }
-            self.each_image(known, free, R::take);
+            placed.windows += 1;
+            self.each_window(known, free, R::take);
         }
-        (step.windows.len(), self.rule.holds())
+        (placed, self.rule.holds())
     }
 
-    fn unplace_general(&mut self, step: &Step, color: u8, windows: usize) {
-        for window in step.windows[..windows].iter().rev() {
-            let (known, free) = colors(window, &self.value);
-            self.each_image(known, free, R::release);
+    /// Takes back what [`Self::place`] placed.
+    fn unplace(&mut self, around: &Around, placed: Placed) {
+        for &window in around.windows[..placed.windows.into()].iter().rev() {
+            let (known, free) = self.corners(window);
+            self.each_window(known, free, R::release);
         }
-        for &(a, b) in &step.along {
-            let (a, b) = (self.value[a as usize], self.value[b as usize]);
-            self.each_pair(a, b, Caps::release_along);
+        for &domino in &around.along[..placed.along.into()] {
+            let (first, second) = self.ends(domino);
+            self.each_domino(first, second, Caps::release_along);
         }
-        for &(a, b) in &step.across {
-            let (a, b) = (self.value[a as usize], self.value[b as usize]);
-            self.each_pair(a, b, Caps::release_across);
+        for &domino in &around.across[..placed.across.into()] {
+            let (first, second) = self.ends(domino);
+            self.each_domino(first, second, Caps::release_across);
         }
-        self.each_pair(color, color, |caps, color, _| caps.release_color(color));
     }
 
-    /// Places a color if nothing is violated.
-    fn place_checked(&mut self, step: &Step, color: u8) -> bool {
-        let (windows, fits) = self.place_general(step, color);
-        if !fits {
-            self.unplace_general(step, color, windows);
-        }
-        fits
-    }
-
-    /// Of some candidates those that fit, each tried out.
+    /// Of some candidates those that fit: a sieve by what is cheap to know, then one by one.
     #[inline(never)]
     fn tried(&mut self, level: usize, candidates: u64) -> u64 {
-        let steps = std::mem::take(&mut self.steps);
-        let step = &steps[level];
+        let around = &self.around[level];
+        let cell = around.cell;
         let mut fitting = candidates;
-        for color in Words([candidates]).numbers() {
-            let (windows, fits) = self.place_general(step, color as u8);
-            self.unplace_general(step, color as u8, windows);
-            if !fits {
+        for &(first, second) in &around.across[..around.number.across.into()] {
+            if second == cell && first != cell {
+                fitting &= self.caps.open_across(self.value[first as usize]);
+            }
+        }
+        for &(first, second) in &around.along[..around.number.along.into()] {
+            if second == cell && first != cell {
+                fitting &= self.caps.open_along(self.value[first as usize]);
+            }
+        }
+        if around.sieve {
+            let known = self.colors(around.windows[0].known);
+            fitting &= self.rule.open(self.row(known));
+        }
+        for color in Words([fitting]).numbers() {
+            self.write(level, cell, color as u8);
+            if !self.fits(level) {
                 fitting &= !(1 << color);
             }
         }
-        self.steps = steps;
         fitting
     }
 
-    #[inline(never)]
-    fn push_general(&mut self, level: usize, color: u8) {
-        let steps = std::mem::take(&mut self.steps);
-        self.place_general(&steps[level], color);
-        self.steps = steps;
+    /// Whether what the color just written decides may be placed.
+    fn fits(&mut self, level: usize) -> bool {
+        let around = &self.around[level];
+        // Without images, and with all rows and first ends different, nothing that is placed
+        // here stands in the way of another.
+        let mut apart = R::EXACT && !QUOTIENT;
+        let mut rows = [usize::MAX; 4];
+        for (i, &window) in around.windows[..around.number.windows.into()].iter().enumerate() {
+            let (known, free) = self.corners(window);
+            let row = self.row(known);
+            if self.rule.open(row) >> free & 1 == 0 {
+                return false;
+            }
+            apart &= !rows.contains(&row);
+            rows[i] = row;
+        }
+        let mut firsts = [None; 4];
+        let dominoes = [
+            (&around.across[..around.number.across.into()], 0),
+            (&around.along[..around.number.along.into()], 2),
+        ];
+        for (dominoes, start) in dominoes {
+            for (i, &domino) in dominoes.iter().enumerate() {
+                let (first, second) = self.ends(domino);
+                let open = match start {
+                    0 => self.caps.has_across(first, second),
+                    _ => self.caps.has_along(first, second),
+                };
+                if !open {
+                    return false;
+                }
+                apart &= i == 0 || firsts[start] != Some(first);
+                firsts[start + i] = Some(first);
+            }
+        }
+        if apart {
+            return true;
+        }
+        let around = *around;
+        let (placed, fits) = self.place(&around);
+        self.unplace(&around, placed);
+        fits
     }
 
     #[inline(never)]
-    fn pop_general(&mut self, level: usize, color: u8) {
-        let steps = std::mem::take(&mut self.steps);
-        self.unplace_general(&steps[level], color, steps[level].windows.len());
-        self.steps = steps;
+    fn push_general(&mut self, level: usize) {
+        let around = self.around[level];
+        self.place(&around);
+    }
+
+    #[inline(never)]
+    fn pop_general(&mut self, level: usize) {
+        let around = self.around[level];
+        self.unplace(&around, around.number);
     }
 }
 
-impl<R: Rule, const QUOTIENT: bool> Problem for Corner<R, QUOTIENT> {
+impl Place {
+    fn of(step: &Step) -> Self {
+        let known = step.simple.unwrap_or_default();
+        Self { cell: step.cell, known, simple: step.simple.is_some() }
+    }
+}
+
+impl Around {
+    fn of(step: &Step) -> Self {
+        let mut around = Self { cell: step.cell, sieve: step.sieve, ..Self::default() };
+        around.number = Placed {
+            across: step.across.len() as u8,
+            along: step.along.len() as u8,
+            windows: step.windows.len() as u8,
+        };
+        around.across[..step.across.len()].copy_from_slice(&step.across);
+        around.along[..step.along.len()].copy_from_slice(&step.along);
+        around.windows[..step.windows.len()].copy_from_slice(&step.windows);
+        around
+    }
+}
+
+impl<R: Rule, const W: usize, const C: usize, const L: usize, const QUOTIENT: bool> Problem
+    for Corner<R, W, C, L, QUOTIENT>
+{
     type Alternatives = Words<1>;
 
     fn levels(&self) -> usize {
-        self.steps.len()
+        self.orbits.len()
     }
 
     #[inline(always)]
     fn alternatives(&mut self, level: usize) -> Words<1> {
-        let step = &self.steps[level];
+        let place = &self.places[level];
         let follow = self.follow[usize::from(self.used[level])];
-        Words([match step.simple {
-            Some(known) if R::EXACT => {
-                let known = known.map(|cell| self.value[cell as usize]);
-                follow & self.caps.open(known) & self.rule.open(self.row(known))
-            }
-            _ => self.tried(level, follow & self.caps.open_colors()),
-        }])
+        if place.simple && R::EXACT {
+            let known = self.colors(place.known);
+            return Words([follow & self.caps.open(known) & self.rule.open(self.row(known))]);
+        }
+        Words([self.tried(level, follow)])
     }
 
     #[inline(always)]
     fn push(&mut self, level: usize, choice: u32) {
         let color = choice as u8;
         self.used[level + 1] = self.used[level].max(color + 1);
-        let step = &self.steps[level];
-        let Some(known) = step.simple else { return self.push_general(level, color) };
-        let known = known.map(|cell| self.value[cell as usize]);
-        if QUOTIENT {
-            for (&cell, map) in step.orbit.iter().zip(&self.maps) {
-                self.value[cell as usize] = map[usize::from(color)];
-            }
-        } else {
-            self.value[step.cell as usize] = color;
+        let place = self.places[level];
+        self.write(level, place.cell, color);
+        if !place.simple {
+            return self.push_general(level);
         }
-        self.each_pair(color, color, |caps, color, _| caps.take_color(color));
-        self.each_pair(known[2], color, Caps::take_across);
-        self.each_pair(known[1], color, Caps::take_along);
-        self.each_image(known, color, R::take);
+        let known = self.colors(place.known);
+        self.each_domino(known[2], color, Caps::take_across);
+        self.each_domino(known[1], color, Caps::take_along);
+        self.each_window(known, color, R::take);
     }
 
     #[inline(always)]
     fn pop(&mut self, level: usize, choice: u32) {
         let color = choice as u8;
-        let Some(known) = self.steps[level].simple else { return self.pop_general(level, color) };
-        let known = known.map(|cell| self.value[cell as usize]);
-        self.each_image(known, color, R::release);
-        self.each_pair(known[1], color, Caps::release_along);
-        self.each_pair(known[2], color, Caps::release_across);
-        self.each_pair(color, color, |caps, color, _| caps.release_color(color));
+        let place = &self.places[level];
+        if !place.simple {
+            return self.pop_general(level);
+        }
+        let known = self.colors(place.known);
+        self.each_window(known, color, R::release);
+        self.each_domino(known[1], color, Caps::release_along);
+        self.each_domino(known[2], color, Caps::release_across);
     }
 }
 
-impl<R: Rule, const QUOTIENT: bool> Labeled for Corner<R, QUOTIENT> {
+impl<R: Rule, const W: usize, const C: usize, const L: usize, const QUOTIENT: bool> Labeled
+    for Corner<R, W, C, L, QUOTIENT>
+{
     fn write_labels(&self, labels: &mut Vec<u8>) {
         labels.clear();
-        labels.extend_from_slice(&self.value);
+        labels.extend((0..self.cells).map(|cell| self.value[cell]));
     }
+}
+
+/// By the number of colors used, the colors that may follow: in a fixed order those used and
+/// the next one, else all.
+fn follow(count: usize, ordered: bool) -> Vec<u64> {
+    let below = |colors: usize| u64::MAX >> (MAX_SEARCH_COLORS - colors.min(count));
+    (0..=count).map(|used| below(if ordered { used + 1 } else { count })).collect()
 }
 
 /// A tile as the colors of a window's known corners and free corner.
@@ -335,11 +468,10 @@ fn allowed_rows(
     rows
 }
 
-fn caps(task: &Task, shift: u32) -> Caps {
-    let set = &task.set;
+fn caps<const W: usize, const C: usize>(task: &Task) -> Caps<W, C> {
+    let (set, count) = (&task.set, task.set.colors().horizontal());
     let tiles =
         set.allowed().map(|tile| window_colors(set, Kind::Corner.unpack(tile, set.colors())));
-    let spare = (task.shape.cells() as u64 - set.size()) as i32;
-    let weight = if set.is_compact() { (2, set.colors().horizontal() as i32) } else { (1, 1) };
-    Caps::new(shift, tiles, weight, spare)
+    let share = if set.is_compact() { (2, count as u64) } else { (1, 1) };
+    Caps::new(count, tiles, share, task.shape.cells() as u64 - set.size())
 }

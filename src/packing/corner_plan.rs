@@ -18,7 +18,7 @@ use crate::torus::{Cell, Order, Shape};
 /// With the free corner SE they are NW, NE, SW and SE; with the free corner NE they are the
 /// mirror images SW, SE, NW and NE. Either way `known[2], free` is a horizontal domino and
 /// `known[1], free` a vertical one.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub struct Window {
     /// The other three corners.
     pub known: [u32; 3],
@@ -33,6 +33,9 @@ pub struct Step {
     pub cell: u32,
     /// The known corners of its window, when it is just the free corner of just one window.
     pub simple: Option<[u32; 3]>,
+    /// Whether the first of the windows has this point as its free corner only: a cheap sieve
+    /// for the candidates of the general way.
+    pub sieve: bool,
     /// The points of its orbit, one step of the automorphism after the other, itself first.
     pub orbit: Vec<u32>,
     /// The windows known from here on, one of every orbit.
@@ -57,7 +60,7 @@ impl CornerPlan {
     pub fn new(task: &Task, quotient: &Quotient, fixed: &[bool]) -> Self {
         let upward = task.set.is_compact();
         let shape = task.shape;
-        let visits = visits(shape, task.order.unwrap_or(Order::Row), upward, fixed, quotient);
+        let visits = visits(shape, task.visiting_order(), upward, fixed, quotient);
         let rank = quotient.first_visits(&visits);
         let representatives = quotient.representatives(&visits);
         let level_of: Vec<usize> = {
@@ -72,6 +75,7 @@ impl CornerPlan {
             .map(|&cell| Step {
                 cell: cell.0,
                 simple: None,
+                sieve: false,
                 orbit: quotient.orbit(cell).map(|cell| cell.0).collect(),
                 windows: Vec::new(),
                 across: Vec::new(),
@@ -108,7 +112,13 @@ impl CornerPlan {
             }
         }
         for (level, step) in steps.iter_mut().enumerate() {
-            step.simple = simple(step, |cell| level_of[cell as usize] < level);
+            let is_known = |cell: u32| level_of[cell as usize] < level;
+            let sieves = |window: &Window| {
+                window.free == step.cell && window.known.into_iter().all(is_known)
+            };
+            step.windows.sort_by_key(|window| !sieves(window));
+            step.sieve = step.windows.first().is_some_and(sieves);
+            step.simple = simple(step);
         }
         let is_fixed = |step: &Step| step.orbit.iter().any(|&cell| fixed[cell as usize]);
         let free = steps.iter().position(|step| !is_fixed(step)).unwrap_or(steps.len());
@@ -156,15 +166,12 @@ fn along(shape: Shape, upward: bool, cell: Cell) -> Vec<u32> {
     if upward { vec![south, cell.0] } else { vec![cell.0, south] }
 }
 
-/// The known corners of the only window of a step that needs no general treatment.
-fn simple(step: &Step, is_known: impl Fn(u32) -> bool) -> Option<[u32; 3]> {
-    let (&[window], &[across], &[along]) = (&step.windows[..], &step.across[..], &step.along[..])
-    else {
-        return None;
-    };
-    let fits = window.free == step.cell
-        && window.known.into_iter().all(is_known)
-        && across == (window.known[2], step.cell)
-        && along == (window.known[1], step.cell);
-    fits.then_some(window.known)
+/// The known corners of the only window of a step that decides no more than that window and
+/// the two dominoes at its free corner.
+fn simple(step: &Step) -> Option<[u32; 3]> {
+    let &[Window { known, .. }] = &step.windows[..] else { return None };
+    let fits = step.sieve
+        && step.across[..] == [(known[2], step.cell)]
+        && step.along[..] == [(known[1], step.cell)];
+    fits.then_some(known)
 }

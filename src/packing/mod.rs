@@ -22,8 +22,10 @@ pub mod ring;
 pub mod rule;
 pub mod sinks;
 pub mod solve;
+pub mod table;
 pub mod task;
 pub mod wang;
+pub mod wang_plan;
 pub mod wang_rule;
 
 pub use solve::{Answer, Counted, Settings, count, find, list};

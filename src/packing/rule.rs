@@ -4,6 +4,8 @@
 //! [`Window`](super::corner_plan::Window); the tiles of a row are the colors of the free corner,
 //! the bits of one word.
 
+use super::table::Table;
+
 /// The law of a tile set.
 pub trait Rule: Clone + Send {
     /// Whether [`Rule::open`] alone decides, for a single window. Otherwise every candidate is
@@ -27,18 +29,18 @@ pub trait Rule: Clone + Send {
 
 /// Every tile exactly once.
 #[derive(Debug, Clone)]
-pub struct Once {
-    free: Vec<u64>,
+pub struct Once<const ROWS: usize> {
+    free: Table<u64, ROWS>,
 }
 
-impl Once {
+impl<const ROWS: usize> Once<ROWS> {
     /// All `allowed` tiles are free.
     pub fn new(allowed: Vec<u64>) -> Self {
-        Self { free: allowed }
+        Self { free: Table::new(allowed, 0) }
     }
 }
 
-impl Rule for Once {
+impl<const ROWS: usize> Rule for Once<ROWS> {
     const EXACT: bool = true;
 
     #[inline(always)]
@@ -59,20 +61,19 @@ impl Rule for Once {
 
 /// Two different tiles of every row, each once: a compact set chosen by the search.
 #[derive(Debug, Clone)]
-pub struct Pairs {
-    allowed: Vec<u64>,
-    taken: Vec<u64>,
+pub struct Pairs<const ROWS: usize> {
+    allowed: Table<u64, ROWS>,
+    taken: Table<u64, ROWS>,
 }
 
-impl Pairs {
+impl<const ROWS: usize> Pairs<ROWS> {
     /// Nothing is taken.
     pub fn new(allowed: Vec<u64>) -> Self {
-        let taken = vec![0; allowed.len()];
-        Self { allowed, taken }
+        Self { allowed: Table::new(allowed, 0), taken: Table::new(Vec::new(), 0) }
     }
 }
 
-impl Rule for Pairs {
+impl<const ROWS: usize> Rule for Pairs<ROWS> {
     const EXACT: bool = true;
 
     #[inline(always)]
@@ -98,25 +99,29 @@ impl Rule for Pairs {
 /// The law is kept by counting *spare* cells: a torus with more cells than tiles allows that
 /// many repetitions and no more.
 #[derive(Debug, Clone)]
-pub struct Cover {
-    allowed: Vec<u64>,
-    taken: Vec<u64>,
+pub struct Cover<const ROWS: usize> {
+    allowed: Table<u64, ROWS>,
+    taken: Table<u64, ROWS>,
     uses: Vec<u32>,
     spare: i64,
     /// Different tiles of a row at most.
     limit: u32,
 }
 
-impl Cover {
+impl<const ROWS: usize> Cover<ROWS> {
     /// Nothing is taken; `spare` is the number of cells beyond the number of tiles.
     pub fn new(allowed: Vec<u64>, spare: u64, limit: Option<u32>) -> Self {
-        let rows = allowed.len();
-        let limit = limit.unwrap_or(u64::BITS);
-        Self { allowed, taken: vec![0; rows], uses: vec![0; 64 * rows], spare: spare as i64, limit }
+        Self {
+            uses: vec![0; 64 * allowed.len()],
+            allowed: Table::new(allowed, 0),
+            taken: Table::new(Vec::new(), 0),
+            spare: spare as i64,
+            limit: limit.unwrap_or(u64::BITS),
+        }
     }
 }
 
-impl Rule for Cover {
+impl<const ROWS: usize> Rule for Cover<ROWS> {
     const EXACT: bool = false;
 
     fn open(&self, row: usize) -> u64 {

@@ -249,20 +249,40 @@ fn corner(
     reduction: &Reduction,
     search: Search<'_>,
 ) -> Result<Answer<Met>, SolveError> {
-    let spare = task.shape.cells() as u64 - task.set.size();
-    let compact = task.set.is_compact();
-    let cover = |rows| rule::Cover::new(rows, spare, compact.then_some(2));
-    match (task.automorphism.is_some(), task.cover, compact) {
-        (_, true, _) => search.over(Corner::<_, true>::new(task, reduction, cover)),
-        (false, _, true) => search.over(Corner::<_, false>::new(task, reduction, rule::Pairs::new)),
-        (true, _, true) => search.over(Corner::<_, true>::new(task, reduction, rule::Pairs::new)),
-        (false, _, false) => search.over(Corner::<_, false>::new(task, reduction, rule::Once::new)),
-        (true, _, false) => search.over(Corner::<_, true>::new(task, reduction, rule::Once::new)),
+    let cells = task.shape.cells();
+    match (task.set.colors().horizontal(), cells) {
+        (0..=4, 0..=511) => corner_words::<1, 4, 64, 512>(task, reduction, search),
+        (0..=8, 0..=8191) => corner_words::<2, 8, 512, 8192>(task, reduction, search),
+        (_, 0..=65535) => corner_words::<16, 64, 262_144, 65536>(task, reduction, search),
+        _ => Err(TaskError::TooManyCells(cells, 65535).into()),
     }
 }
 
-/// Wang tiles the search handles at most.
-const MAX_WANG_TILES: usize = 64 * 256;
+fn corner_words<const W: usize, const C: usize, const ROWS: usize, const L: usize>(
+    task: &Task,
+    reduction: &Reduction,
+    search: Search<'_>,
+) -> Result<Answer<Met>, SolveError> {
+    use rule::{Cover, Once, Pairs};
+    let spare = task.shape.cells() as u64 - task.set.size();
+    let compact = task.set.is_compact();
+    let cover = |rows| Cover::<ROWS>::new(rows, spare, compact.then_some(2));
+    match (task.cover, compact, task.automorphism.is_some()) {
+        (true, _, _) => search.over(Corner::<_, W, C, L, true>::new(task, reduction, cover)),
+        (_, true, true) => {
+            search.over(Corner::<_, W, C, L, true>::new(task, reduction, Pairs::<ROWS>::new))
+        }
+        (_, true, false) => {
+            search.over(Corner::<_, W, C, L, false>::new(task, reduction, Pairs::<ROWS>::new))
+        }
+        (_, false, true) => {
+            search.over(Corner::<_, W, C, L, true>::new(task, reduction, Once::<ROWS>::new))
+        }
+        (_, false, false) => {
+            search.over(Corner::<_, W, C, L, false>::new(task, reduction, Once::<ROWS>::new))
+        }
+    }
+}
 
 fn wang(
     task: &Task,
@@ -274,17 +294,18 @@ fn wang(
         true => task.set.kind().tiles(task.set.colors()),
         false => task.set.size(),
     };
-    match tiles.div_ceil(64) {
-        0..=1 => wang_words::<1>(task, reduction, shown, search),
-        2 => wang_words::<2>(task, reduction, shown, search),
-        3..=4 => wang_words::<4>(task, reduction, shown, search),
-        5..=16 => wang_words::<16>(task, reduction, shown, search),
-        17..=256 => wang_words::<256>(task, reduction, shown, search),
-        _ => Err(TaskError::TooManyTiles(tiles, MAX_WANG_TILES).into()),
+    let cells = task.shape.cells();
+    match (tiles, cells) {
+        (0..=64, 0..=127) => wang_words::<1, 128>(task, reduction, shown, search),
+        (0..=256, 0..=511) => wang_words::<4, 512>(task, reduction, shown, search),
+        (0..=1024, 0..=1023) => wang_words::<16, 1024>(task, reduction, shown, search),
+        (0..=4096, 0..=8191) => wang_words::<64, 8192>(task, reduction, shown, search),
+        (0..=4096, _) => Err(TaskError::TooManyCells(cells, 8191).into()),
+        _ => Err(TaskError::TooManyTiles(tiles, 4096).into()),
     }
 }
 
-fn wang_words<const N: usize>(
+fn wang_words<const N: usize, const L: usize>(
     task: &Task,
     reduction: &Reduction,
     shown: Shown,
@@ -304,15 +325,15 @@ fn wang_words<const N: usize>(
         let class = set.is_compact().then(class);
         let count = class.as_ref().map_or_else(tiles, Vec::len);
         let rule = wang_rule::Cover::<N>::new(count, spare, class);
-        search.over(Wang::<N, _, true>::new(task, reduction, shown, rule))
+        search.over(Wang::<N, L, _, true>::new(task, reduction, shown, rule))
     } else if set.is_compact() {
         let rule = wang_rule::Pairs::<N>::new(class());
-        search.over(Wang::<N, _, true>::new(task, reduction, shown, rule))
+        search.over(Wang::<N, L, _, true>::new(task, reduction, shown, rule))
     } else {
         let rule = wang_rule::Once::<N>::new(tiles());
         match task.automorphism.is_some() {
-            true => search.over(Wang::<N, _, true>::new(task, reduction, shown, rule)),
-            false => search.over(Wang::<N, _, false>::new(task, reduction, shown, rule)),
+            true => search.over(Wang::<N, L, _, true>::new(task, reduction, shown, rule)),
+            false => search.over(Wang::<N, L, _, false>::new(task, reduction, shown, rule)),
         }
     }
 }

@@ -47,7 +47,10 @@ pub enum TaskError {
     TooManyColors(usize),
     /// Too many Wang tiles for the search.
     #[error("{0} different tiles may occur: the search handles up to {1}")]
-    TooManyTiles(u64, usize),
+    TooManyTiles(u64, u64),
+    /// Too many cells for the search.
+    #[error("{0} cells: the search handles up to {1}")]
+    TooManyCells(usize, usize),
     /// A ring of dominoes has one side of length 1.
     #[error("size {0}: dominoes form a ring, so one side must be 1")]
     NotARing(Shape),
@@ -74,6 +77,21 @@ impl Task {
     /// Whether any label is given beforehand.
     pub fn has_pins(&self) -> bool {
         self.pins.labels().iter().any(Option::is_some)
+    }
+
+    /// The visiting order: the one asked for, or else the one that measured best.
+    ///
+    /// The frontier should be short: along the short side of the torus, or of the cells that
+    /// an automorphism leaves to choose. Compact corner sets do better along the long side, and
+    /// Wang tiles by columns.
+    pub fn visiting_order(&self) -> Order {
+        let (w, h) = (self.shape.width(), self.shape.height());
+        self.order.unwrap_or(match (self.set.kind(), &self.automorphism) {
+            (Kind::Corner, Some(automorphism)) if automorphism.dx == 0 => Order::Column,
+            (Kind::Corner, Some(_)) => Order::Row,
+            (Kind::Corner, None) if self.set.is_compact() || w <= h => Order::Row,
+            _ => Order::Column,
+        })
     }
 
     /// Checks that the question makes sense.

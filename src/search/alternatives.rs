@@ -34,6 +34,13 @@ pub trait Alternatives: Copy + Send + PartialEq + std::fmt::Debug + 'static {
 pub struct Words<const N: usize>(pub [u64; N]);
 
 impl<const N: usize> Words<N> {
+    /// The word of a number below `64 * N`; the remainder spares the check of the index.
+    #[inline(always)]
+    fn word(number: u32) -> usize {
+        debug_assert!((number as usize) < 64 * N);
+        (number / 64) as usize % N
+    }
+
     /// Every number below `64 * N`.
     pub const ALL: Self = Self([u64::MAX; N]);
 
@@ -73,17 +80,17 @@ impl<const N: usize> Alternatives for Words<N> {
 
     #[inline(always)]
     fn insert(&mut self, number: u32) {
-        self.0[number as usize / 64] |= 1 << (number % 64);
+        self.0[Self::word(number)] |= 1 << (number % 64);
     }
 
     #[inline(always)]
     fn remove(&mut self, number: u32) {
-        self.0[number as usize / 64] &= !(1 << (number % 64));
+        self.0[Self::word(number)] &= !(1 << (number % 64));
     }
 
     #[inline(always)]
     fn contains(&self, number: u32) -> bool {
-        self.0[number as usize / 64] >> (number % 64) & 1 == 1
+        self.0[Self::word(number)] >> (number % 64) & 1 == 1
     }
 }
 

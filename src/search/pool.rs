@@ -138,6 +138,8 @@ where
             }));
         }
         drop(done);
+        // The scope waits for all threads, also when a stop or a report panics.
+        let _guard = StopOnPanic(&shared.stop);
         let mut fraction = 0.0f64;
         while let Err(RecvTimeoutError::Timeout) = finished.recv_timeout(TICK) {
             if plan.limits.stop.should_stop() {
@@ -164,7 +166,7 @@ where
     shared.outcome(plan.values, joined)
 }
 
-/// Lets the other threads end when one panics.
+/// Lets the other threads end when this one panics.
 struct StopOnPanic<'a>(&'a AtomicBool);
 
 impl Drop for StopOnPanic<'_> {

@@ -91,38 +91,42 @@ impl<P: Problem> Walk<P> {
             };
         }
         let mut level = *path_level;
+        let mut here = left[level];
         let mut deepest = self.deepest;
         let mut nodes = 0;
         let end = loop {
-            if left[level].is_empty() {
+            if here.is_empty() {
                 if level == 0 {
                     break Slice::Exhausted;
                 }
                 level -= 1;
                 problem.pop(level, choices[level]);
+                here = left[level];
                 continue;
             }
             if nodes == budget {
                 break Slice::Paused;
             }
             nodes += 1;
-            let choice = values.take(level, &mut left[level]);
+            let choice = values.take(level, &mut here);
             problem.push(level, choice);
             choices[level] = choice;
-            level += 1;
-            deepest = deepest.max(level);
-            if level < levels {
-                left[level] = problem.alternatives(level);
+            if level + 1 < levels {
+                left[level] = here;
+                level += 1;
+                deepest = deepest.max(level);
+                here = problem.alternatives(level);
                 continue;
             }
+            deepest = levels;
             self.solutions += 1;
             let answer = sink.solution(problem, choices);
-            level -= 1;
             problem.pop(level, choice);
             if let ControlFlow::Break(found) = answer {
                 break Slice::Found(found);
             }
         };
+        left[level] = here;
         *path_level = level;
         self.deepest = deepest;
         self.nodes += nodes;

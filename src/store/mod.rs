@@ -5,7 +5,7 @@
 //! and the same content always gives the same bytes.
 //!
 //! * [`Input`] opens a file and refuses what cannot be text;
-//! * [`solutions`] reads packings from solution JSON, JSON lines and text grids;
+//! * [`solutions()`] reads packings from solution JSON, JSON lines and text grids;
 //! * [`read_pins`] reads cells given beforehand, [`read_tile_set`] a set of tiles;
 //! * [`write_solution`], [`write_grid`] and [`write_tile_set`] are their inverses;
 //! * [`AtomicFile`] and [`check_writable`] see to it that a result is not lost.

@@ -1,0 +1,9 @@
+//! The generic search: inverses, paths, splitting, stopping and going on, threads, panics.
+
+#![allow(clippy::unwrap_used, clippy::panic)]
+
+mod inverses;
+mod paths;
+mod problems;
+mod resuming;
+mod threads;

@@ -1,0 +1,84 @@
+//! Every command shown in the README, run as shown, in an empty folder.
+//!
+//! A line that begins with `$ ` is a command; the lines after it are what it prints, where `...`
+//! stands for anything. A command without such lines may print what it likes.
+
+#![allow(clippy::unwrap_used)]
+
+use std::process::Command;
+
+const README: &str = include_str!("../README.md");
+
+/// A command and the lines shown below it.
+struct Example<'a> {
+    command: &'a str,
+    shown: Vec<&'a str>,
+}
+
+fn examples() -> Vec<Example<'static>> {
+    let mut examples: Vec<Example<'static>> = Vec::new();
+    let blocks = README.split("```console\n").skip(1).map(|rest| rest.split("```").next().unwrap());
+    for block in blocks {
+        let before = examples.len();
+        for line in block.lines() {
+            match line.strip_prefix("$ ") {
+                Some(command) => examples.push(Example { command, shown: Vec::new() }),
+                None => {
+                    assert!(examples.len() > before, "output before a command: {line}");
+                    examples.last_mut().unwrap().shown.push(line);
+                }
+            }
+        }
+    }
+    examples
+}
+
+/// Whether the lines printed are those shown, `...` standing for any text, also over lines.
+fn matches(shown: &str, printed: &str) -> bool {
+    let mut parts = shown.split("...");
+    let Some(mut rest) = printed.strip_prefix(parts.next().unwrap()) else { return false };
+    for part in parts {
+        let Some(at) = rest.find(part) else { return false };
+        rest = &rest[at + part.len()..];
+    }
+    rest.trim().is_empty() || shown.trim_end().ends_with("...")
+}
+
+#[test]
+fn commands_do_what_the_readme_shows() {
+    let binary = std::path::Path::new(env!("CARGO_BIN_EXE_tilepack"));
+    let folder = tempfile::tempdir().unwrap();
+    let path = std::env::join_paths(
+        std::iter::once(binary.parent().unwrap().to_owned())
+            .chain(std::env::split_paths(&std::env::var_os("PATH").unwrap())),
+    )
+    .unwrap();
+    let mut run = 0;
+    for Example { command, shown } in examples() {
+        // The tests are being run; the program has been built.
+        if command == "cargo test" {
+            continue;
+        }
+        let command = command.replace("cargo run --release --", "tilepack");
+        assert!(command.starts_with("tilepack "), "not a command of ours: {command}");
+        let mut shell = Command::new("sh");
+        let output = shell.arg("-c").arg(&command).current_dir(&folder).env("PATH", &path).output();
+        let output = output.unwrap();
+        let printed = String::from_utf8(output.stdout).unwrap();
+        let errors = String::from_utf8_lossy(&output.stderr);
+        assert!(output.status.success(), "{command}\n{printed}{errors}");
+        if !shown.is_empty() {
+            let shown = shown.join("\n");
+            assert!(matches(&shown, &printed), "{command}\nshown:\n{shown}\nprinted:\n{printed}");
+        }
+        run += 1;
+    }
+    assert!(run >= 10, "only {run} commands found");
+}
+
+#[test]
+fn the_first_two_commands_need_nothing_else() {
+    let commands: Vec<&str> = examples().iter().map(|example| example.command).collect();
+    assert!(commands[0].starts_with("cargo run --release -- find"));
+    assert_eq!(commands[1], "cargo test");
+}
