@@ -8,8 +8,8 @@ use crate::symmetry::Automorphism;
 use crate::torus::{Order, Shape};
 use anyhow::{Context, bail};
 
-/// Cells of the largest torus that is searched. A search takes about a kilobyte a cell, and far
-/// fewer cells are beyond it; but it should say so and stop in time rather than fill the memory.
+/// Cells of the largest torus for which a task is made. Fewer are searched; but this many do not
+/// fill the memory before the search can say so.
 const MAX_CELLS: usize = 1 << 20;
 
 /// The task that the options describe.
