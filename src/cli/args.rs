@@ -96,9 +96,14 @@ pub struct ProblemArgs {
     /// Every tile at least once instead of exactly once
     #[arg(long)]
     pub cover: bool,
-    /// Only packings a with a[row+DY][column+DX] = PERM(a[row][column]); PERM is +1 (add 1
-    /// modulo C) or the list of the images of all colors, such as 1,2,3,0
-    #[arg(long, value_name = "DX,DY:PERM", allow_hyphen_values = true)]
+    /// A symmetry that the packing must have.
+    #[arg(
+        long,
+        value_name = "DX,DY:PERM",
+        allow_hyphen_values = true,
+        help = "Only packings a with a[row+DY][column+DX] = PERM(a[row][column]); PERM is +1 (add \
+                1 modulo C) or the list of the images of all colors, such as 1,2,3,0"
+    )]
     pub automorphism: Option<String>,
     /// Cells given beforehand: a grid with . (or a solution with null) for free cells
     #[arg(long, value_name = "FILE")]

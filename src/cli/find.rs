@@ -7,7 +7,7 @@ use super::{describe, output, problem};
 use crate::packing::{self, Task};
 use crate::search::Values;
 use crate::store::{Layout, check_writable, write_file, write_grid, write_solution};
-use crate::torus::{Order, Packing};
+use crate::torus::Packing;
 use crate::verify;
 use anyhow::bail;
 use serde_json::{Map, Value, json};
@@ -89,7 +89,7 @@ fn none<T>(
 
 /// How a packing was found: `search (first in row order, values lexicographic)`.
 fn how(args: &FindArgs, task: &Task, complete: bool) -> String {
-    let order = task.order.unwrap_or(Order::Row);
+    let order = task.visiting_order();
     let values = match args.values {
         ValueOrder::Lexicographic => "lexicographic".to_owned(),
         ValueOrder::Random => format!("random with seed {}", args.search.seed),

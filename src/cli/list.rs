@@ -17,15 +17,14 @@ use std::io::{self, Write};
 /// # Errors
 /// Bad input, or a file that cannot be written.
 pub fn run(args: &ListArgs) -> anyhow::Result<Exit> {
-    if args.json && args.output.is_none() {
-        bail!("--json needs -o: without it, standard output is for the list");
-    }
     let task = problem::task(&args.problem, args.search.order)?;
     if args.up_to_symmetry && task.has_pins() {
         return Err(SolveError::PinnedOrbits.into());
     }
-    if let Some(file) = &args.output {
-        check_writable(file)?;
+    match &args.output {
+        Some(file) => check_writable(file)?,
+        None if args.json => bail!("--json needs -o: without it, standard output is for the list"),
+        None => {}
     }
     let session = Session::new(&args.search, Values::Lexicographic)?;
     let reason = task.impossible();

@@ -8,8 +8,9 @@ use crate::symmetry::Automorphism;
 use crate::torus::{Order, Shape};
 use anyhow::{Context, bail};
 
-/// Cells of the largest torus that is searched: that of the largest complete set.
-const MAX_CELLS: usize = MAX_SEARCH_COLORS.pow(4);
+/// Cells of the largest torus for which a task is made. Fewer are searched; but this many do not
+/// fill the memory before the search can say so.
+const MAX_CELLS: usize = 1 << 20;
 
 /// The task that the options describe.
 ///

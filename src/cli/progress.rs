@@ -53,7 +53,7 @@ impl Display {
             Mode::Bar(bar) if progress.elapsed >= PATIENCE => {
                 let bar = bar.get_or_init(new_bar);
                 bar.set_position((progress.fraction * STEPS as f64) as u64);
-                bar.set_message(words(progress));
+                bar.set_message(few_words(progress));
             }
             Mode::Bar(_) => {}
             Mode::Lines(due) => {
@@ -79,7 +79,7 @@ impl Display {
 fn new_bar() -> ProgressBar {
     let bar = ProgressBar::with_draw_target(Some(STEPS), ProgressDrawTarget::stderr());
     // Plain blocks; should the template ever be refused, the default one does as well.
-    if let Ok(style) = ProgressStyle::with_template("[{bar:20}] {wide_msg}") {
+    if let Ok(style) = ProgressStyle::with_template("[{bar:10}] {wide_msg}") {
         bar.set_style(style.progress_chars("=> "));
     }
     bar
@@ -100,6 +100,19 @@ fn words(progress: &Progress) -> String {
     )
 }
 
+/// The same in as few characters as will do, so that it fits beside a bar.
+fn few_words(progress: &Progress) -> String {
+    let Progress { nodes, solutions, deepest, levels, fraction, elapsed } = *progress;
+    let rate = nodes as f64 / elapsed.as_secs_f64().max(1e-3);
+    format!(
+        "about {}, {}, {} nodes, {}/s, deepest {deepest}/{levels}, {solutions} met",
+        percent(fraction),
+        duration::words(elapsed),
+        short(nodes as f64),
+        short(rate)
+    )
+}
+
 /// A part of 1 as a percentage, however small.
 pub fn percent(part: f64) -> String {
     let percent = 100.0 * part;
@@ -109,6 +122,16 @@ pub fn percent(part: f64) -> String {
     } else {
         format!("{percent:.1e} %")
     }
+}
+
+/// A large number in few characters, with the prefixes of the SI: `41.3M`.
+fn short(number: f64) -> String {
+    for (unit, prefix) in [(1e12, "T"), (1e9, "G"), (1e6, "M"), (1e3, "k")] {
+        if number >= unit {
+            return format!("{:.1}{prefix}", number / unit);
+        }
+    }
+    format!("{number:.0}")
 }
 
 /// A large number for people: `41.3 million`.
@@ -130,6 +153,8 @@ mod tests {
         assert_eq!(rounded(999_999.0), "999999");
         assert_eq!(rounded(41_250_000.0), "41.25 million");
         assert_eq!(rounded(2.5e12), "2.50 trillion");
+        assert_eq!(short(999.0), "999");
+        assert_eq!(short(41_250_000.0), "41.2M");
         assert_eq!(percent(0.0), "0.00 %");
         assert_eq!(percent(0.12345), "12.34 %");
         assert_eq!(percent(0.99999), "99.99 %");
@@ -151,5 +176,8 @@ mod tests {
             "about 25.00 % of the tree, 2.00 million nodes, 500000 nodes/s, \
              deepest level 40 of 81, 3 solutions met, 4.00 s"
         );
+        let few = "about 25.00 %, 4.00 s, 2.0M nodes, 500.0k/s, deepest 40/81, 3 met";
+        assert_eq!(few_words(&progress), few);
+        assert!("[==========] ".len() + few.len() <= 80);
     }
 }

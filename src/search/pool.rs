@@ -210,7 +210,10 @@ impl<A: Alternatives, F: Send> Worker<'_, A, F> {
                     lock(&shared.parts).push(Part { start, nodes, solutions, deepest });
                 }
             }
-            lock(&shared.remaining).walked[self.id] = 0.0;
+            // What a stop leaves behind has not been visited.
+            if !shared.stop.load(SeqCst) {
+                lock(&shared.remaining).walked[self.id] = 0.0;
+            }
             shared.pending.fetch_sub(1, SeqCst);
         }
         sink

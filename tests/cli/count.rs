@@ -1,0 +1,105 @@
+//! `count`: known numbers, in words and as JSON.
+
+use crate::{names, run};
+
+/// Problems, their packings, those up to symmetry and those up to translation.
+const KNOWN: &[(&str, &str, Option<&str>, Option<&str>)] = &[
+    ("--kind corner --colors 2", "32", Some("1"), Some("2")),
+    ("--kind corner --colors 1", "1", Some("1"), Some("1")),
+    ("--kind wang --colors 2", "203520", None, Some("12720")),
+    ("--kind wang --colors 1,3", "216", None, Some("24")),
+    ("--kind domino --colors 2", "4", None, Some("1")),
+    ("--kind domino --colors 3", "216", None, Some("24")),
+    ("--kind domino --colors 4", "331776", None, Some("20736")),
+    ("--kind domino --colors 3 --size 1x9", "216", None, Some("24")),
+    ("--kind domino --colors 2,3 --size 1x4", "4", None, Some("1")),
+];
+
+#[test]
+fn known_numbers() {
+    for &(problem, solutions, fundamental, up_to_translation) in KNOWN {
+        let object = run(&format!("count {problem} --json")).exits(0).json();
+        assert_eq!(object["solutions"], solutions, "{problem}");
+        assert_eq!(object["up_to_translation"].as_str(), up_to_translation, "{problem}");
+        if let Some(fundamental) = fundamental {
+            let object = run(&format!("count {problem} --up-to-symmetry --json")).exits(0).json();
+            assert_eq!(object["solutions"], solutions, "{problem}");
+            assert_eq!(object["fundamental"], fundamental, "{problem}");
+        }
+    }
+}
+
+#[test]
+fn symmetry_removed_or_not_the_number_is_the_same() {
+    for problem in [
+        "--kind corner --colors 2",
+        "--kind wang --colors 1,3",
+        "--kind domino --colors 3",
+        "--kind corner --colors 2 --set compact",
+        "--kind domino --colors 2 --cover --size 6x1",
+    ] {
+        let count = |options: &str| {
+            run(&format!("count {problem} {options} --json")).exits(0).json()["solutions"].clone()
+        };
+        let reduced = count("");
+        assert_eq!(reduced, count("--plain"), "{problem}");
+        assert_eq!(reduced, count("--up-to-symmetry"), "{problem}");
+        assert_eq!(reduced, count("--order column --threads 3"), "{problem}");
+    }
+}
+
+#[test]
+fn words() {
+    let counted = run("count --kind corner --colors 2 --up-to-symmetry").exits(0);
+    let lines: Vec<_> = counted.stdout.lines().collect();
+    assert_eq!(lines[..3], ["32 packings", "1 up to symmetry", "2 up to translation"]);
+    assert!(
+        lines[3].starts_with("complete corner set over 2 colors, 4x4 torus; by search, complete: ")
+    );
+    assert_eq!(lines.len(), 4);
+    assert_eq!(counted.stderr, "");
+    let rings = run("count --kind domino --colors 3").exits(0).stdout;
+    assert!(rings.contains("24 up to translation (rings up to rotation)"), "{rings}");
+    let covers = run("count --kind domino --colors 2 --cover --size 5x1").exits(0).stdout;
+    assert!(covers.lines().next().unwrap().ends_with(" coverings"), "{covers}");
+    let one = run("count --kind corner --colors 1").exits(0).stdout;
+    assert!(one.starts_with("1 packing\n"), "{one}");
+}
+
+#[test]
+fn json_fields() {
+    let object = run("count --kind corner --colors 2 --json").exits(0).json();
+    let fields = [
+        "method",
+        "nodes",
+        "reason",
+        "result",
+        "seconds",
+        "solutions",
+        "stopped_by",
+        "up_to_translation",
+    ];
+    assert_eq!(names(&object), fields);
+    assert_eq!((&object["result"], &object["method"]), (&"complete".into(), &"search".into()));
+    assert!(object["nodes"].is_string() && object["seconds"].is_f64());
+    let object = run("count --kind corner --colors 2 --up-to-symmetry --json").exits(0).json();
+    assert!(object["fundamental"].is_string());
+    let covered = run("count --kind domino --colors 2 --cover --size 5x1 --json").exits(0).json();
+    assert!(covered["up_to_translation"].is_null());
+}
+
+#[test]
+fn none_by_search() {
+    let counted = run("count --kind corner --colors 2 --automorphism 2,0:+1").exits(1);
+    assert!(counted.stdout.starts_with("0 packings with this automorphism\n"), "{counted:#?}");
+    assert!(counted.stdout.contains("by search, complete"), "{counted:#?}");
+}
+
+#[test]
+fn the_same_nodes_whatever_the_number_of_threads() {
+    let nodes = |threads: u32| {
+        let args = format!("count --kind wang --colors 2 --threads {threads} --json");
+        run(&args).exits(0).json()["nodes"].clone()
+    };
+    assert_eq!(nodes(1), nodes(3));
+}
