@@ -2,15 +2,11 @@
 
 use super::args::ProblemArgs;
 use super::set;
-use crate::packing::{MAX_SEARCH_COLORS, Task, TaskError};
+use crate::packing::Task;
 use crate::store::{Input, read_pins};
 use crate::symmetry::Automorphism;
 use crate::torus::{Order, Shape};
-use anyhow::{Context, bail};
-
-/// Cells of the largest torus for which a task is made. Fewer are searched; but this many do not
-/// fill the memory before the search can say so.
-const MAX_CELLS: usize = 1 << 20;
+use anyhow::Context;
 
 /// The task that the options describe.
 ///
@@ -22,19 +18,11 @@ pub fn task(args: &ProblemArgs, order: Option<Order>) -> anyhow::Result<Task> {
         Some(text) => Some(text.parse().context("--size")?),
     };
     let set = set::tile_set(&args.set, shape)?;
-    let colors = set.colors().largest();
-    if colors > MAX_SEARCH_COLORS {
-        return Err(TaskError::TooManyColors(colors).into());
-    }
     let shape = match shape {
         Some(shape) => shape,
         None => Shape::default_for(&set)?,
     };
-    // A task keeps a few bytes for every cell, so its size is looked at before there is one.
-    if shape.cells() > MAX_CELLS {
-        let cells = shape.cells();
-        bail!("size {shape} has {cells} cells: the search handles up to {MAX_CELLS}");
-    }
+    Task::check_size(&set, shape)?;
     let mut task = Task::new(set, shape);
     task.cover = args.cover;
     task.order = order;

@@ -7,6 +7,7 @@
 
 use super::reduction::Reduction;
 use super::sinks::{Leaves, Purpose};
+use super::task::tiles_to_choose;
 use super::{Labeled, Task, TaskError, ring, rule, wang_rule};
 use super::{
     corner::Corner,
@@ -253,8 +254,7 @@ fn corner(
     match (task.set.colors().horizontal(), cells) {
         (0..=4, 0..=511) => corner_words::<1, 4, 64, 512>(task, reduction, search),
         (0..=8, 0..=8191) => corner_words::<2, 8, 512, 8192>(task, reduction, search),
-        (_, 0..=65535) => corner_words::<16, 64, 262_144, 65536>(task, reduction, search),
-        _ => Err(TaskError::TooManyCells(cells, 65535).into()),
+        _ => corner_words::<16, 64, 262_144, 65536>(task, reduction, search),
     }
 }
 
@@ -290,18 +290,13 @@ fn wang(
     shown: Shown,
     search: Search<'_>,
 ) -> Result<Answer<Met>, SolveError> {
-    let tiles = match task.set.is_compact() {
-        true => task.set.kind().tiles(task.set.colors()),
-        false => task.set.size(),
-    };
+    let tiles = tiles_to_choose(&task.set);
     let cells = task.shape.cells();
     match (tiles, cells) {
         (0..=64, 0..=127) => wang_words::<1, 128>(task, reduction, shown, search),
         (0..=256, 0..=511) => wang_words::<4, 512>(task, reduction, shown, search),
         (0..=1024, 0..=1023) => wang_words::<16, 1024>(task, reduction, shown, search),
-        (0..=4096, 0..=8191) => wang_words::<64, 8192>(task, reduction, shown, search),
-        (0..=4096, _) => Err(TaskError::TooManyCells(cells, 8191).into()),
-        _ => Err(TaskError::TooManyTiles(tiles, 4096).into()),
+        _ => wang_words::<64, 8192>(task, reduction, shown, search),
     }
 }
 

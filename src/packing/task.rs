@@ -10,6 +10,15 @@ use crate::torus::{Lattice, Order, Pins, Shape};
 /// The largest number of colors the search handles: the colors of a cell are one word.
 pub const MAX_SEARCH_COLORS: usize = 64;
 
+/// The largest number of cells of a corner packing the search handles.
+pub const MAX_CORNER_CELLS: usize = 65_535;
+
+/// The largest number of cells of a Wang packing, or dominoes of a ring, the search handles.
+pub const MAX_WANG_CELLS: usize = 8_191;
+
+/// The largest number of Wang tiles, or dominoes, the search chooses from.
+pub const MAX_WANG_TILES: u64 = 4_096;
+
 /// A question about packings.
 #[derive(Debug, Clone)]
 pub struct Task {
@@ -42,15 +51,22 @@ pub enum TaskError {
         /// What would suit.
         hint: &'static str,
     },
+    /// Too many cells for the search.
+    #[error("size {shape} has {cells} cells: the search handles up to {most}")]
+    TooManyCells {
+        /// The torus asked for.
+        shape: Shape,
+        /// Its cells.
+        cells: usize,
+        /// The largest number handled.
+        most: usize,
+    },
     /// Too many colors for the search.
     #[error("{0} colors: the search handles up to {MAX_SEARCH_COLORS}")]
     TooManyColors(usize),
     /// Too many Wang tiles for the search.
-    #[error("{0} different tiles may occur: the search handles up to {1}")]
-    TooManyTiles(u64, u64),
-    /// Too many cells for the search.
-    #[error("{0} cells: the search handles up to {1}")]
-    TooManyCells(usize, usize),
+    #[error("{0} different tiles may occur: the search handles up to {MAX_WANG_TILES}")]
+    TooManyTiles(u64),
     /// A ring of dominoes has one side of length 1.
     #[error("size {0}: dominoes form a ring, so one side must be 1")]
     NotARing(Shape),
@@ -90,6 +106,7 @@ impl Task {
             (Kind::Corner, Some(automorphism)) if automorphism.dx == 0 => Order::Column,
             (Kind::Corner, Some(_)) => Order::Row,
             (Kind::Corner, None) if self.set.is_compact() || w <= h => Order::Row,
+            (Kind::Domino, _) => Order::Row,
             _ => Order::Column,
         })
     }
@@ -99,10 +116,7 @@ impl Task {
     /// # Errors
     /// Too many colors, a size that does not suit the set, an automorphism that does not suit.
     pub fn check(&self) -> Result<(), TaskError> {
-        let colors = self.set.colors().largest();
-        if colors > MAX_SEARCH_COLORS {
-            return Err(TaskError::TooManyColors(colors));
-        }
+        Self::check_size(&self.set, self.shape)?;
         let ring = self.shape.width() == 1 || self.shape.height() == 1;
         if self.set.kind() == Kind::Domino && !ring {
             return Err(TaskError::NotARing(self.shape));
@@ -121,8 +135,35 @@ impl Task {
         Ok(())
     }
 
+    /// Checks that the tables of the search hold a problem; a task keeps something for every
+    /// cell, so this comes before there is one.
+    ///
+    /// # Errors
+    /// Too many colors, cells or tiles.
+    pub fn check_size(set: &TileSet, shape: Shape) -> Result<(), TaskError> {
+        let colors = set.colors().largest();
+        if colors > MAX_SEARCH_COLORS {
+            return Err(TaskError::TooManyColors(colors));
+        }
+        let (cells, tiles) = (shape.cells(), tiles_to_choose(set));
+        let most = match set.kind() {
+            Kind::Corner => MAX_CORNER_CELLS,
+            _ if tiles > MAX_WANG_TILES => return Err(TaskError::TooManyTiles(tiles)),
+            Kind::Wang | Kind::Domino => MAX_WANG_CELLS,
+        };
+        if cells > most {
+            return Err(TaskError::TooManyCells { shape, cells, most });
+        }
+        Ok(())
+    }
+
     /// Why there is plainly no solution, when a short argument shows it.
     pub fn impossible(&self) -> Option<String> {
         impossible::reason(self)
     }
+}
+
+/// How many different tiles may occur: for a compact set, all over its colors.
+pub(super) fn tiles_to_choose(set: &TileSet) -> u64 {
+    if set.is_compact() { set.kind().tiles(set.colors()) } else { set.size() }
 }
