@@ -50,7 +50,7 @@ pub(crate) fn shown(kind: Kind, colors: Colors, shape: Shape, labels: &[u8]) -> 
 pub(crate) fn labels(kind: Kind, colors: Colors, shape: Shape, numbers: &[u8]) -> Vec<u8> {
     let count = Lattice { kind, shape }.labels();
     let palette = |label: usize| match kind {
-        Kind::Wang if label % 2 == 0 => colors.horizontal(),
+        Kind::Wang if label.is_multiple_of(2) => colors.horizontal(),
         _ => colors.vertical(),
     };
     (0..count).map(|i| numbers[i % numbers.len()] % palette(i) as u8).collect()
