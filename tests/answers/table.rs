@@ -6,6 +6,7 @@
 
 use crate::engines::Effort::{All, Each, Reduced};
 use crate::engines::{Effort, agreed_count, agreed_orbits, check_against_oracle, check_first};
+use crate::oracle;
 use tilepack::packing::{Settings, Task, count};
 use tilepack::symmetry::Automorphism;
 use tilepack::tiles::{TileSet, notation};
@@ -149,4 +150,14 @@ fn rings_of_five_colors() {
     let counted = count(&task, &Settings { threads: 2, ..Settings::PLAIN }, false).unwrap();
     assert_eq!(counted.value.packings, 120u64.pow(5).into());
     assert_eq!(counted.value.up_to_translation, Some(995_328_000u64.into()));
+}
+
+/// The sixteen Wang tiles over two colors, counted by the oracle too.
+#[test]
+fn wang_tiles_of_two_colors() {
+    for (size, packings) in [("4x4", 203_520), ("8x2", 228_096), ("2x8", 228_096), ("16x1", 0)] {
+        let task = Words("wang", "2", "complete", size, "").task();
+        assert_eq!(oracle::count(&task), packings, "{size}");
+        assert_eq!(agreed_count(&task, Each, size), packings, "{size}");
+    }
 }
