@@ -74,13 +74,11 @@ impl CornerPlan {
         let visits = visits(shape, task.visiting_order(), upward, fixed, quotient);
         let rank = quotient.first_visits(&visits);
         let representatives = quotient.representatives(&visits);
-        let level_of: Vec<usize> = {
-            let mut levels = vec![0; shape.cells()];
-            for (level, cell) in representatives.iter().enumerate() {
-                levels[rank[cell.index()]] = level;
-            }
-            rank.iter().map(|&rank| levels[rank]).collect()
-        };
+        let mut level_at = vec![0; shape.cells()];
+        for (level, cell) in representatives.iter().enumerate() {
+            level_at[rank[cell.index()]] = level;
+        }
+        let level_of: Vec<usize> = rank.iter().map(|&rank| level_at[rank]).collect();
         let mut steps: Vec<Step> = representatives
             .iter()
             .map(|&cell| Step {
@@ -93,34 +91,17 @@ impl CornerPlan {
                 along: Vec::new(),
             })
             .collect();
-        let known_at =
-            |cells: &[u32]| cells.iter().map(|&c| level_of[c as usize]).max().unwrap_or(0);
-        // Of an orbit, take the member whose last corner is the point that is chosen.
-        let pick = |name: Cell, cells: &dyn Fn(Cell) -> Vec<u32>| {
-            let level = known_at(&cells(name));
-            let chosen = steps[level].cell;
-            let mut members = quotient.orbit(name).map(cells);
-            let best = members.find(|cells| cells.last() == Some(&chosen));
-            (level, best.unwrap_or_else(|| cells(name)))
-        };
-        let mut found = Vec::new();
         for &name in &representatives {
-            for relation in [window, across, along] {
-                found.push(pick(name, &|cell| relation(shape, upward, cell)));
-            }
-        }
-        for (level, cells) in found
-            .chunks_exact(3)
-            .flat_map(|three| three.iter().enumerate())
-            .map(|(relation, (level, cells))| (*level, (relation, cells.clone())))
-        {
-            let step = &mut steps[level];
-            match (cells.0, &cells.1[..]) {
-                (0, &[a, b, c, free]) => step.windows.push(Window { known: [a, b, c], free }),
-                (1, &[neighbor, point]) => step.across.push((neighbor, point)),
-                (_, &[neighbor, point]) => step.along.push((neighbor, point)),
-                _ => {}
-            }
+            let orbit = || quotient.orbit(name);
+            let windows = orbit().map(|cell| window(shape, upward, cell));
+            let (level, [a, b, c, free]) = place(&steps, &level_of, windows);
+            steps[level].windows.push(Window { known: [a, b, c], free });
+            let dominoes = orbit().map(|cell| across(shape, cell));
+            let (level, [neighbor, point]) = place(&steps, &level_of, dominoes);
+            steps[level].across.push((neighbor, point));
+            let dominoes = orbit().map(|cell| along(shape, upward, cell));
+            let (level, [neighbor, point]) = place(&steps, &level_of, dominoes);
+            steps[level].along.push((neighbor, point));
         }
         for (level, step) in steps.iter_mut().enumerate() {
             let is_known = |cell: u32| level_of[cell as usize] < level;
@@ -166,22 +147,36 @@ fn visits(
     visits
 }
 
+/// The level at which an orbit of windows or dominoes is known, and of its members the one
+/// whose last point is the one chosen there, if any.
+fn place<const K: usize>(
+    steps: &[Step],
+    level_of: &[usize],
+    mut members: impl Iterator<Item = [u32; K]>,
+) -> (usize, [u32; K]) {
+    // An orbit has at least one member, and all are known at the same level.
+    let first = members.next().unwrap_or([0; K]);
+    let level = first.iter().map(|&cell| level_of[cell as usize]).max().unwrap_or(0);
+    let chosen = |points: &[u32; K]| points[K - 1] == steps[level].cell;
+    (level, std::iter::once(first).chain(members).find(chosen).unwrap_or(first))
+}
+
 /// The corners of the window with this north-west corner, the free one last.
-fn window(shape: Shape, upward: bool, cell: Cell) -> Vec<u32> {
+fn window(shape: Shape, upward: bool, cell: Cell) -> [u32; 4] {
     let at = |rows, columns| shape.step(cell, rows, columns).0;
     let (nw, ne, sw, se) = (at(0, 0), at(0, 1), at(1, 0), at(1, 1));
-    if upward { vec![sw, se, nw, ne] } else { vec![nw, ne, sw, se] }
+    if upward { [sw, se, nw, ne] } else { [nw, ne, sw, se] }
 }
 
 /// A horizontal domino, its east end last.
-fn across(shape: Shape, _: bool, cell: Cell) -> Vec<u32> {
-    vec![cell.0, shape.step(cell, 0, 1).0]
+fn across(shape: Shape, cell: Cell) -> [u32; 2] {
+    [cell.0, shape.step(cell, 0, 1).0]
 }
 
 /// A vertical domino, the end that is visited last.
-fn along(shape: Shape, upward: bool, cell: Cell) -> Vec<u32> {
+fn along(shape: Shape, upward: bool, cell: Cell) -> [u32; 2] {
     let south = shape.step(cell, 1, 0).0;
-    if upward { vec![south, cell.0] } else { vec![cell.0, south] }
+    if upward { [south, cell.0] } else { [cell.0, south] }
 }
 
 /// The known corners of the only window of a step that decides no more than that window and

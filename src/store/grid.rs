@@ -5,7 +5,7 @@
 //! may say what the grid is: `kind=wang colors=2,3 set=pruned:0-1 cover`.
 
 use super::claim::{Claim, ring_colors};
-use super::solutions::Solution;
+use super::solution::Solution;
 use super::{Input, StoreError};
 use crate::tiles::{Kind, Members, TileId, TileSet, notation};
 use crate::torus::{Cell, Lattice, Packing, Shape};

@@ -29,6 +29,6 @@ pub use error::StoreError;
 pub use grid::write_grid;
 pub use pins::read_pins;
 pub use read::{Input, MAX_BYTES};
-pub use solution::{FORMAT, Layout, write_solution};
-pub use solutions::{Solution, Solutions, read_solution, solutions};
+pub use solution::{FORMAT, Layout, Solution, write_solution};
+pub use solutions::{Solutions, read_solution, solutions};
 pub use tile_set::{NamedSet, read_tile_set, write_tile_set};

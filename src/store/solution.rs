@@ -14,6 +14,17 @@ use serde_json::value::RawValue;
 use serde_json::{Value, json};
 use std::io::{self, Write};
 
+/// A packing from a file.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Solution {
+    /// The tiles, and what the file claims that they are. Not verified.
+    pub packing: Packing,
+    /// What the file says about where it comes from, `null` if nothing. Not to be trusted.
+    pub provenance: Value,
+    /// The line of the file where it begins, 1-based.
+    pub line: usize,
+}
+
 /// The version of the format that is read and written.
 pub const FORMAT: &str = "tilepack/1";
 

@@ -4,21 +4,8 @@
 //! the other, as `list` writes them one a line; any other file is a text grid and holds one.
 //! They are read one at a time, so a list takes no more memory than its text.
 
-use super::solution::{Document, Object};
+use super::solution::{Document, Object, Solution};
 use super::{Claim, Input, StoreError, grid, json};
-use crate::torus::Packing;
-use serde_json::Value;
-
-/// A packing from a file.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Solution {
-    /// The tiles, and what the file claims that they are. Not verified.
-    pub packing: Packing,
-    /// What the file says about where it comes from, `null` if nothing. Not to be trusted.
-    pub provenance: Value,
-    /// The line of the file where it begins, 1-based.
-    pub line: usize,
-}
 
 /// The packings of a file in order. Ends after the first error.
 #[derive(Debug)]
