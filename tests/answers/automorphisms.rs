@@ -1,16 +1,18 @@
 //! Prescribed automorphisms: the search goes over orbits of cells, the oracle filters all
 //! packings by `a[row + dy][column + dx] = map(a[row][column])`.
 
-use crate::engines::{Effort, agreed_count, check_against_oracle};
+use crate::engines::{Effort, check_against_oracle};
 use crate::explicit::{labels, shapes, shown};
 use crate::oracle;
 use crate::table::Words;
 use proptest::prelude::*;
 use proptest::sample::select;
-use tilepack::packing::{Settings, Task, count};
+use tilepack::packing::solve::SolveError;
+use tilepack::packing::{Settings, Task, TaskError, count, find};
+use tilepack::search::Limits;
 use tilepack::symmetry::{Automorphism, AutomorphismError, ColorMap};
 use tilepack::tiles::{Colors, Kind, Members, TileSet};
-use tilepack::torus::Shape;
+use tilepack::torus::{Pins, Shape};
 
 /// Checks a task with an automorphism; refused ones must have no packing at all.
 fn check(task: &Task, what: &str) -> Option<u64> {
@@ -47,6 +49,10 @@ const FAMILIES: &[Family] = &[
     ("wang", "1,3", "complete", "6x2", &["+1", "+0", "0/1,0,2"]),
     ("wang", "2,1", "complete", "2x3", &["+1", "+0"]),
     ("wang", "1,2", "compact", "2x2", &["+1", "+0"]),
+    // Three images of a tile in one class.
+    ("wang", "1,4", "compact", "9x1", &["0/0,2,3,1"]),
+    ("wang", "4,1", "compact", "1x9", &["0,2,3,1/0"]),
+    ("wang", "1,6", "compact", "12x1", &["0/0,1,2,4,5,3"]),
     ("domino", "2", "complete", "4x1", &["+1", "+0"]),
     ("domino", "2", "complete", "1x6", &["+1", "+0"]),
     ("domino", "3", "complete", "9x1", &["+1", "+0"]),
@@ -100,12 +106,34 @@ fn the_quotient_of_three_colors() {
         {
             task.pins.pin(9 * r + c, color).unwrap();
         }
-        let found = agreed_count(&task, Effort::Reduced, "pinned quotient");
-        assert_eq!(found * 81, 303_264, "{row} {column} {tile:?}");
+        let settings = Settings { threads: row / 3 + 1, ..Settings::PLAIN };
+        let found = count(&task, &settings, false).unwrap().value.packings;
+        assert_eq!(found * 81u32, 303_264u32.into(), "{row} {column} {tile:?}");
     }
     let down = Words("corner", "3", "complete", "9x9", "0,3:+1").task();
     let down = count(&down, &Settings::PLAIN, false).unwrap();
     assert_eq!(down.value.packings, 303_264u32.into(), "reflected");
+}
+
+/// The tile with NE 1 and else 0 would bring along those with NE 2 and 3, of the same class.
+#[test]
+fn three_images_in_one_class_of_corner_tiles() {
+    let words = Words("corner", "4", "compact", "12x11", "4,0:0,2,3,1");
+    let mut task = Task { cover: true, ..words.task() };
+    for (row, column, color) in [(5, 5, 0), (5, 6, 1), (6, 5, 0), (6, 6, 0)] {
+        task.pins.pin(12 * row + column, color).unwrap();
+    }
+    let limits = Limits { nodes: 100_000, ..Limits::NONE };
+    match find(&task, &Settings { limits, ..Settings::PLAIN }) {
+        Err(SolveError::Task(TaskError::Pins(_))) => {}
+        other => panic!("{other:?}"),
+    }
+    // The same without NE 1 is no contradiction.
+    task.pins = Pins::free(task.lattice());
+    for (row, column) in [(5, 5), (5, 6), (6, 5), (6, 6)] {
+        task.pins.pin(12 * row + column, 0).unwrap();
+    }
+    assert!(find(&task, &Settings { limits, ..Settings::PLAIN }).is_ok());
 }
 
 /// Kinds, palettes, cells, and color permutations.
