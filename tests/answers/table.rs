@@ -161,3 +161,20 @@ fn wang_tiles_of_two_colors() {
         assert_eq!(agreed_count(&task, Each, size), packings, "{size}");
     }
 }
+
+/// The 60 tiles over four colors with the pairs 0-1 and 2-3 excluded have no packing in any
+/// shape: by argument where a side is below 3, else by complete searches.
+#[test]
+fn sixty_pruned_tiles_have_no_packing() {
+    for size in ["6x10", "10x6", "5x12", "12x5", "4x15", "15x4", "3x20", "20x3"] {
+        let task = Words("corner", "4", "pruned:0-1,2-3", size, "").task();
+        assert_eq!(task.impossible(), None, "{size}");
+        let answer = count(&task, &Settings { threads: 2, ..Settings::PLAIN }, false).unwrap();
+        assert!(answer.work.complete, "{size}");
+        assert_eq!(answer.value.packings, 0u32.into(), "{size}");
+    }
+    for size in ["2x30", "30x2", "1x60", "60x1"] {
+        let task = Words("corner", "4", "pruned:0-1,2-3", size, "").task();
+        assert!(task.impossible().is_some(), "{size}");
+    }
+}

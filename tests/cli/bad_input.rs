@@ -60,7 +60,7 @@ const REFUSED: &[(&str, &str)] = &[
     ("find --kind corner --colors 2 --size 4x5", "size 4x5 has 20 cells, but the set has 16 tiles"),
     ("find --kind corner --colors 2 --cover --size 3x5", "at least as many cells"),
     ("find --kind corner --colors 2 --cover --size 60000x60000", "the search handles up to"),
-    ("find --kind corner --colors 64", "16777216 cells: the search handles up to 1048576"),
+    ("find --kind corner --colors 64", "16777216 cells: the search handles up to 65535"),
     ("count --kind corner --colors 12 --up-to-symmetry", "with 12 colors there are more than"),
     ("find --kind corner --colors 2 --size 99999x99999", "more than 4294967295 cells"),
     ("find --kind domino --colors 2 --size 2x2", "one side must be 1"),
