@@ -11,9 +11,8 @@
 //!
 //! The counts of the dominoes that begin with one color are lanes of 16 bits, `W` words of
 //! four, each offset so that its top bit says whether there is any left: the candidates are
-//! then an AND of two rows and a multiplication that gathers the top bits.
-
-use super::table::Table;
+//! then an AND of two rows and a multiplication that gathers the top bits. Colors are taken
+//! modulo `C`, a power of two, which spares the check of an index.
 
 /// Bits of a lane.
 const LANE: u32 = 16;
@@ -32,9 +31,9 @@ const MOST: u64 = 0x8000;
 #[derive(Debug, Clone)]
 pub struct Caps<const W: usize, const C: usize> {
     /// By west end: the counts for every east end.
-    across: Table<[u64; W], C>,
+    across: [[u64; W]; C],
     /// By the end visited first: the counts for every other end.
-    along: Table<[u64; W], C>,
+    along: [[u64; W]; C],
 }
 
 impl<const W: usize, const C: usize> Caps<W, C> {
@@ -53,8 +52,11 @@ impl<const W: usize, const C: usize> Caps<W, C> {
             counts[1][usize::from(b) * colors + usize::from(free)] += 1;
         }
         let rows = |counts: &[u64]| {
-            let rows = counts.chunks(colors).map(|row| pack(row, share, spare));
-            Table::new(rows.collect(), [0; W])
+            let mut rows = [[0; W]; C];
+            for (row, counts) in rows.iter_mut().zip(counts.chunks(colors)) {
+                *row = pack(counts, share, spare);
+            }
+            rows
         };
         Self { across: rows(&counts[0]), along: rows(&counts[1]) }
     }
@@ -62,53 +64,53 @@ impl<const W: usize, const C: usize> Caps<W, C> {
     /// The colors that may follow as free corner of a window with these known corners.
     #[inline(always)]
     pub fn open(&self, known: [u8; 3]) -> u64 {
-        let across = &self.across[usize::from(known[2])];
-        let along = &self.along[usize::from(known[1])];
+        let across = &self.across[usize::from(known[2]) % C];
+        let along = &self.along[usize::from(known[1]) % C];
         gather::<W>(|word| across[word] & along[word])
     }
 
     /// The east ends that horizontal dominoes with this west end may still have.
     pub fn open_across(&self, first: u8) -> u64 {
-        gather::<W>(|word| self.across[usize::from(first)][word])
+        gather::<W>(|word| self.across[usize::from(first) % C][word])
     }
 
     /// The second ends that vertical dominoes with this first end may still have.
     pub fn open_along(&self, first: u8) -> u64 {
-        gather::<W>(|word| self.along[usize::from(first)][word])
+        gather::<W>(|word| self.along[usize::from(first) % C][word])
     }
 
     /// Whether a horizontal domino may occur once more.
     pub fn has_across(&self, first: u8, second: u8) -> bool {
-        has(&self.across[usize::from(first)], second)
+        has(&self.across[usize::from(first) % C], second)
     }
 
     /// Whether a vertical domino may occur once more.
     pub fn has_along(&self, first: u8, second: u8) -> bool {
-        has(&self.along[usize::from(first)], second)
+        has(&self.along[usize::from(first) % C], second)
     }
 
     /// Counts a horizontal domino; whether there was one left.
     #[inline(always)]
     pub fn take_across(&mut self, first: u8, second: u8) -> bool {
-        take(&mut self.across[usize::from(first)], second)
+        take(&mut self.across[usize::from(first) % C], second)
     }
 
     /// Takes back a horizontal domino; true.
     #[inline(always)]
     pub fn release_across(&mut self, first: u8, second: u8) -> bool {
-        release(&mut self.across[usize::from(first)], second)
+        release(&mut self.across[usize::from(first) % C], second)
     }
 
     /// Counts a vertical domino, the end visited first coming first; whether there was one left.
     #[inline(always)]
     pub fn take_along(&mut self, first: u8, second: u8) -> bool {
-        take(&mut self.along[usize::from(first)], second)
+        take(&mut self.along[usize::from(first) % C], second)
     }
 
     /// Takes back a vertical domino; true.
     #[inline(always)]
     pub fn release_along(&mut self, first: u8, second: u8) -> bool {
-        release(&mut self.along[usize::from(first)], second)
+        release(&mut self.along[usize::from(first) % C], second)
     }
 }
 

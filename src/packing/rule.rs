@@ -7,7 +7,7 @@
 use super::table::Table;
 
 /// The law of a tile set.
-pub trait Rule: Clone + Send {
+pub trait Rule: Clone + Send + Sync {
     /// Whether [`Rule::open`] alone decides, for a single window. Otherwise every candidate is
     /// tried out.
     const EXACT: bool;

@@ -122,7 +122,7 @@ impl<const N: usize, const L: usize, R: WangRule<N>, const QUOTIENT: bool> Wang<
             if candidates.is_empty() {
                 return Err(step.cell);
             }
-            let tile = candidates.take_first();
+            let tile = candidates.first();
             for (&slot, &image) in step.orbit.iter().zip(&self.plan.images[tile as usize]) {
                 self.slots[slot as usize].tile = image;
                 self.slots[slot as usize].asked = self.partners[image as usize];

@@ -5,7 +5,7 @@
 use crate::search::{Alternatives, Words};
 
 /// The law of a set of Wang tiles.
-pub trait WangRule<const N: usize>: Clone + Send {
+pub trait WangRule<const N: usize>: Clone + Send + Sync {
     /// Whether [`WangRule::open`] decides alone even where a tile brings images along.
     const EXACT: bool;
 

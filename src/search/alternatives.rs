@@ -14,8 +14,8 @@ pub trait Alternatives: Copy + Send + PartialEq + std::fmt::Debug + 'static {
     fn is_empty(&self) -> bool;
     /// How many numbers there are.
     fn count(&self) -> u32;
-    /// Removes and gives the smallest number; the set must not be empty.
-    fn take_first(&mut self) -> u32;
+    /// The smallest number; the set must not be empty.
+    fn first(&self) -> u32;
     /// Adds a number.
     fn insert(&mut self, number: u32);
     /// Removes a number.
@@ -25,7 +25,13 @@ pub trait Alternatives: Copy + Send + PartialEq + std::fmt::Debug + 'static {
 
     /// The numbers in increasing order.
     fn numbers(mut self) -> impl Iterator<Item = u32> {
-        std::iter::from_fn(move || (!self.is_empty()).then(|| self.take_first()))
+        std::iter::from_fn(move || {
+            (!self.is_empty()).then(|| {
+                let first = self.first();
+                self.remove(first);
+                first
+            })
+        })
     }
 }
 
@@ -67,15 +73,15 @@ impl<const N: usize> Alternatives for Words<N> {
     }
 
     #[inline(always)]
-    fn take_first(&mut self) -> u32 {
-        for (i, word) in self.0.iter_mut().enumerate() {
-            if *word != 0 || i + 1 == N {
-                let bit = word.trailing_zeros();
-                *word &= word.wrapping_sub(1);
-                return 64 * i as u32 + bit;
+    fn first(&self) -> u32 {
+        let (mut word, mut at) = (self.0[0], 0);
+        for (i, &next) in self.0.iter().enumerate().skip(1) {
+            if word != 0 {
+                break;
             }
+            (word, at) = (next, i);
         }
-        0
+        64 * at as u32 + word.trailing_zeros()
     }
 
     #[inline(always)]

@@ -58,9 +58,8 @@ impl<A: Alternatives> Path<A> {
     pub fn start(&self, values: Values) -> Vec<u32> {
         let mut start = self.choices().to_vec();
         if let Some(level) = self.left().iter().rposition(|left| !left.is_empty()) {
-            let mut left = self.left[level];
             start.truncate(level);
-            start.push(values.take(level, &mut left));
+            start.push(values.first(level, self.left[level]));
         }
         start
     }
@@ -78,7 +77,9 @@ impl<A: Alternatives> Path<A> {
         let mut given = self.left[level];
         let mut kept = A::EMPTY;
         for _ in 0..keep {
-            kept.insert(values.take(level, &mut given));
+            let first = values.first(level, given);
+            given.remove(first);
+            kept.insert(first);
         }
         self.left[level] = kept;
         let mut part = Self { level, choices: self.choices.clone(), left: self.left.clone() };

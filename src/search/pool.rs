@@ -129,12 +129,13 @@ where
         let mut handles = Vec::with_capacity(threads);
         for id in 0..threads {
             let worker = Worker { id, shared: &shared, values: plan.values, tick: 0, found: 0 };
-            let (problem, sink, done) = (plan.problem.clone(), sink(), done.clone());
+            let (problem, sink, done) = (&plan.problem, sink(), done.clone());
             handles.push(scope.spawn(move || {
                 let _guard = StopOnPanic(&worker.shared.stop);
                 // Dropped at the end, also by a panic: that wakes the caller.
                 let _done = done;
-                worker.work(problem, sink)
+                // Cloned by the thread itself, so that its memory is not shared with others'.
+                worker.work(problem.clone(), sink)
             }));
         }
         drop(done);

@@ -10,7 +10,7 @@ use super::Alternatives;
 ///
 /// What must be extended when a level gets more state: only what `push` changes, so that a
 /// [`Path`](super::Path) of choices alone restores it.
-pub trait Problem: Clone + Send {
+pub trait Problem: Clone + Send + Sync {
     /// The type of a set of alternatives.
     type Alternatives: Alternatives;
 

@@ -16,12 +16,12 @@ pub enum Values {
 }
 
 impl Values {
-    /// Removes and gives the first of the alternatives left at `level`, which are not empty.
+    /// The first of the alternatives left at `level`, which are not empty.
     #[inline(always)]
-    pub fn take<A: Alternatives>(self, level: usize, left: &mut A) -> u32 {
+    pub fn first<A: Alternatives>(self, level: usize, left: A) -> u32 {
         match self {
-            Values::Lexicographic => left.take_first(),
-            Values::Random(seed) => take_random(seed, level, left),
+            Values::Lexicographic => left.first(),
+            Values::Random(seed) => first_at_random(seed, level, left),
         }
     }
 
@@ -39,11 +39,9 @@ fn rank(seed: u64, level: usize, choice: u32) -> u64 {
 }
 
 #[inline(never)]
-fn take_random<A: Alternatives>(seed: u64, level: usize, left: &mut A) -> u32 {
-    let choices = left.numbers().map(|choice| (rank(seed, level, choice), choice));
-    let first = choices.min().map_or(0, |(_, choice)| choice);
-    left.remove(first);
-    first
+fn first_at_random<A: Alternatives>(seed: u64, level: usize, left: A) -> u32 {
+    let ranked = left.numbers().map(|choice| (rank(seed, level, choice), choice));
+    ranked.min().map_or(0, |(_, choice)| choice)
 }
 
 /// A bijection of the 64-bit numbers that looks random (the finalizer of SplitMix64; Steele,
@@ -61,13 +59,15 @@ mod tests {
     use super::*;
 
     #[test]
-    fn orders_are_total_and_agree_with_take() {
+    fn orders_are_total_and_agree_with_first() {
         let values = Values::Random(7);
         for level in 0..20 {
             let mut left = Words::<2>::below(100);
             let mut taken = Vec::new();
             while !left.is_empty() {
-                taken.push(values.take(level, &mut left));
+                let first = values.first(level, left);
+                left.remove(first);
+                taken.push(first);
             }
             assert!(taken.windows(2).all(|w| values.before(level, w[0], w[1])));
             taken.sort_unstable();

@@ -76,7 +76,8 @@ impl<P: Problem> Walk<P> {
 
     /// Walks on for at most `budget` nodes.
     pub fn run<S: Sink<P>>(&mut self, budget: u64, sink: &mut S) -> Slice<S::Found> {
-        let Self { problem, values, path, .. } = self;
+        let values = self.values;
+        let Self { problem, path, .. } = self;
         let (path_level, choices, left) = path.parts();
         let levels = choices.len();
         if levels == 0 {
@@ -108,7 +109,8 @@ impl<P: Problem> Walk<P> {
                 break Slice::Paused;
             }
             nodes += 1;
-            let choice = values.take(level, &mut here);
+            let choice = values.first(level, here);
+            here.remove(choice);
             problem.push(level, choice);
             choices[level] = choice;
             if level + 1 < levels {
