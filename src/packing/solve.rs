@@ -325,7 +325,7 @@ fn wang_words<const N: usize, const L: usize>(
         let rule = wang_rule::Pairs::<N>::new(class());
         search.over(Wang::<N, L, _, true>::new(task, reduction, shown, rule))
     } else {
-        let rule = wang_rule::Once::<N>::new(tiles());
+        let rule = wang_rule::Once::<N, L>::new(tiles());
         match task.automorphism.is_some() {
             true => search.over(Wang::<N, L, _, true>::new(task, reduction, shown, rule)),
             false => search.over(Wang::<N, L, _, false>::new(task, reduction, shown, rule)),

@@ -115,48 +115,39 @@ impl<const N: usize, const L: usize, R: WangRule<N>, const QUOTIENT: bool> Wang<
             }
         }
         for step in &known {
-            let mut candidates = self.candidates(step.orbit[0] as usize);
+            let mut candidates = self.candidates(0, step.orbit[0] as usize);
             if task.automorphism.is_some() {
-                candidates = self.tried(candidates);
+                candidates = self.tried(0, candidates);
             }
             if candidates.is_empty() {
                 return Err(step.cell);
             }
             let tile = candidates.first();
-            for (&slot, &image) in step.orbit.iter().zip(&self.plan.images[tile as usize]) {
+            let images = &self.plan.images[tile as usize];
+            for (&slot, &image) in step.orbit.iter().zip(images) {
                 self.slots[slot as usize].tile = image;
                 self.slots[slot as usize].asked = self.partners[image as usize];
-                self.rule.take(image);
             }
+            self.rule.fix(images);
         }
-        if self.rule.holds() { Ok(()) } else { Err(Cell(0)) }
+        Ok(())
     }
 
     #[inline(always)]
-    fn candidates(&self, slot: usize) -> Words<N> {
+    fn candidates(&self, level: usize, slot: usize) -> Words<N> {
         let slot = &self.slots[slot];
-        let mut candidates = self.rule.open() & slot.ever;
-        for (neighbor, (_, _, touching)) in slot.neighbors.into_iter().zip(NEIGHBORS) {
-            candidates &= self.slots[neighbor as usize].asked[touching];
-        }
-        candidates
+        let asked =
+            |side: usize| self.slots[slot.neighbors[side] as usize].asked[NEIGHBORS[side].2];
+        // What was written last, by the tile just placed, comes last.
+        slot.ever & asked(1) & asked(2) & asked(0) & (asked(3) & self.rule.open(level))
     }
 
     /// Of some candidates those whose images may be placed along with them.
     #[inline(never)]
-    fn tried(&mut self, candidates: Words<N>) -> Words<N> {
+    fn tried(&mut self, level: usize, candidates: Words<N>) -> Words<N> {
         let mut fitting = candidates;
         for tile in candidates.numbers() {
-            let mut fits = true;
-            for &image in &self.plan.images[tile as usize] {
-                fits &= self.rule.open().contains(image);
-                self.rule.take(image);
-            }
-            fits &= self.rule.holds();
-            for &image in self.plan.images[tile as usize].iter().rev() {
-                self.rule.release(image);
-            }
-            if !fits {
+            if !self.rule.fits(level, &self.plan.images[tile as usize]) {
                 fitting.remove(tile);
             }
         }
@@ -175,12 +166,12 @@ impl<const N: usize, const L: usize, R: WangRule<N>, const QUOTIENT: bool> Probl
 
     #[inline(always)]
     fn alternatives(&mut self, level: usize) -> Words<N> {
-        let mut candidates = self.candidates(level);
+        let mut candidates = self.candidates(level, level);
         if self.ordered {
             let (h, v) = self.used[level];
             candidates &= self.follow[usize::from(h) * self.stride + usize::from(v)];
         }
-        if QUOTIENT && !R::EXACT { self.tried(candidates) } else { candidates }
+        if QUOTIENT && !R::EXACT { self.tried(level, candidates) } else { candidates }
     }
 
     #[inline(always)]
@@ -188,14 +179,15 @@ impl<const N: usize, const L: usize, R: WangRule<N>, const QUOTIENT: bool> Probl
         let slot = &mut self.slots[level];
         slot.asked = self.partners[choice as usize];
         slot.tile = choice;
-        self.rule.take(choice);
         if QUOTIENT {
             let images = &self.plan.images[choice as usize];
             for (&slot, &image) in self.plan.steps[level].orbit.iter().zip(images).skip(1) {
                 self.slots[slot as usize].asked = self.partners[image as usize];
                 self.slots[slot as usize].tile = image;
-                self.rule.take(image);
             }
+            self.rule.take(level, images);
+        } else {
+            self.rule.take(level, &[choice]);
         }
         if self.ordered {
             let (h, v) = self.used[level];
@@ -205,13 +197,12 @@ impl<const N: usize, const L: usize, R: WangRule<N>, const QUOTIENT: bool> Probl
     }
 
     #[inline(always)]
-    fn pop(&mut self, _: usize, choice: u32) {
+    fn pop(&mut self, level: usize, choice: u32) {
         if QUOTIENT {
-            for &image in self.plan.images[choice as usize][1..].iter().rev() {
-                self.rule.release(image);
-            }
+            self.rule.release(level, &self.plan.images[choice as usize]);
+        } else {
+            self.rule.release(level, &[choice]);
         }
-        self.rule.release(choice);
     }
 }
 

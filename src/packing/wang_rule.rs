@@ -2,57 +2,81 @@
 //!
 //! Tiles are numbered densely, in the order of the set, and a state is a few words.
 
+use super::table::Table;
 use crate::search::{Alternatives, Words};
 
 /// The law of a set of Wang tiles.
+///
+/// What is open after the choices of all levels below one is asked for by that level.
 pub trait WangRule<const N: usize>: Clone + Send + Sync {
     /// Whether [`WangRule::open`] decides alone even where a tile brings images along.
     const EXACT: bool;
 
-    /// The tiles that may be placed.
-    fn open(&self) -> Words<N>;
+    /// The tiles that may be placed at `level`.
+    fn open(&self, level: usize) -> Words<N>;
 
-    /// Places a tile.
-    fn take(&mut self, tile: u32);
+    /// Whether a tile together with its images may be placed at `level`.
+    fn fits(&mut self, level: usize, images: &[u32]) -> bool;
 
-    /// Takes back a tile placed.
-    fn release(&mut self, tile: u32);
+    /// Places a tile and its images, itself first, at `level`.
+    fn take(&mut self, level: usize, images: &[u32]);
 
-    /// Whether what has been placed may belong to a solution.
-    fn holds(&self) -> bool {
-        true
+    /// Takes back what was placed at `level`.
+    fn release(&mut self, level: usize, images: &[u32]);
+
+    /// Places tiles before level 0, for good.
+    fn fix(&mut self, images: &[u32]) {
+        self.take(0, images);
     }
 }
 
 /// Every tile exactly once.
+///
+/// The free tiles are kept level by level, so that nothing has to be taken back.
 #[derive(Debug, Clone)]
-pub struct Once<const N: usize> {
-    free: Words<N>,
+pub struct Once<const N: usize, const L: usize> {
+    free: Table<Words<N>, L>,
 }
 
-impl<const N: usize> Once<N> {
+impl<const N: usize, const L: usize> Once<N, L> {
     /// All of `tiles` tiles are free.
     pub fn new(tiles: usize) -> Self {
-        Self { free: Words::below(tiles) }
+        Self { free: Table::new(vec![Words::below(tiles)], Words::EMPTY) }
     }
 }
 
-impl<const N: usize> WangRule<N> for Once<N> {
+impl<const N: usize, const L: usize> WangRule<N> for Once<N, L> {
     const EXACT: bool = true;
 
     #[inline(always)]
-    fn open(&self) -> Words<N> {
-        self.free
+    fn open(&self, level: usize) -> Words<N> {
+        self.free[level]
+    }
+
+    fn fits(&mut self, level: usize, images: &[u32]) -> bool {
+        let mut free = self.free[level];
+        images.iter().all(|&image| {
+            let was_free = free.contains(image);
+            free.remove(image);
+            was_free
+        })
     }
 
     #[inline(always)]
-    fn take(&mut self, tile: u32) {
-        self.free.remove(tile);
+    fn take(&mut self, level: usize, images: &[u32]) {
+        let mut free = self.free[level];
+        for &image in images {
+            free.remove(image);
+        }
+        self.free[level + 1] = free;
     }
 
     #[inline(always)]
-    fn release(&mut self, tile: u32) {
-        self.free.insert(tile);
+    fn release(&mut self, _: usize, _: &[u32]) {}
+
+    fn fix(&mut self, images: &[u32]) {
+        self.take(0, images);
+        self.free[0] = self.free[1];
     }
 }
 
@@ -115,21 +139,29 @@ impl<const N: usize> WangRule<N> for Pairs<N> {
     const EXACT: bool = true;
 
     #[inline(always)]
-    fn open(&self) -> Words<N> {
+    fn open(&self, _: usize) -> Words<N> {
         self.free & !self.full
     }
 
-    fn take(&mut self, tile: u32) {
-        self.free.remove(tile);
-        if let Some(class) = self.classes.fill(tile) {
-            self.full |= class;
+    fn fits(&mut self, level: usize, images: &[u32]) -> bool {
+        tried(self, level, images)
+    }
+
+    fn take(&mut self, _: usize, images: &[u32]) {
+        for &tile in images {
+            self.free.remove(tile);
+            if let Some(class) = self.classes.fill(tile) {
+                self.full |= class;
+            }
         }
     }
 
-    fn release(&mut self, tile: u32) {
-        self.free.insert(tile);
-        if let Some(class) = self.classes.empty(tile) {
-            self.full &= !class;
+    fn release(&mut self, _: usize, images: &[u32]) {
+        for &tile in images.iter().rev() {
+            self.free.insert(tile);
+            if let Some(class) = self.classes.empty(tile) {
+                self.full &= !class;
+            }
         }
     }
 }
@@ -163,36 +195,54 @@ impl<const N: usize> Cover<N> {
 impl<const N: usize> WangRule<N> for Cover<N> {
     const EXACT: bool = false;
 
-    fn open(&self) -> Words<N> {
+    fn open(&self, _: usize) -> Words<N> {
         let fresh = self.free & !self.full;
         if self.spare > 0 { fresh | !self.free } else { fresh }
     }
 
-    fn take(&mut self, tile: u32) {
-        self.uses[tile as usize] += 1;
-        if self.uses[tile as usize] > 1 {
-            self.spare -= 1;
-            return;
-        }
-        self.free.remove(tile);
-        if let Some(class) = self.classes.as_mut().and_then(|classes| classes.fill(tile)) {
-            self.full |= class;
+    fn fits(&mut self, level: usize, images: &[u32]) -> bool {
+        tried(self, level, images)
+    }
+
+    fn take(&mut self, _: usize, images: &[u32]) {
+        for &tile in images {
+            self.uses[tile as usize] += 1;
+            if self.uses[tile as usize] > 1 {
+                self.spare -= 1;
+                continue;
+            }
+            self.free.remove(tile);
+            if let Some(class) = self.classes.as_mut().and_then(|classes| classes.fill(tile)) {
+                self.full |= class;
+            }
         }
     }
 
-    fn release(&mut self, tile: u32) {
-        self.uses[tile as usize] -= 1;
-        if self.uses[tile as usize] > 0 {
-            self.spare += 1;
-            return;
-        }
-        self.free.insert(tile);
-        if let Some(class) = self.classes.as_mut().and_then(|classes| classes.empty(tile)) {
-            self.full &= !class;
+    fn release(&mut self, _: usize, images: &[u32]) {
+        for &tile in images.iter().rev() {
+            self.uses[tile as usize] -= 1;
+            if self.uses[tile as usize] > 0 {
+                self.spare += 1;
+                continue;
+            }
+            self.free.insert(tile);
+            if let Some(class) = self.classes.as_mut().and_then(|classes| classes.empty(tile)) {
+                self.full &= !class;
+            }
         }
     }
+}
 
-    fn holds(&self) -> bool {
-        self.spare >= 0
-    }
+/// Whether all images are open when placed one after the other; leaves the rule as it was.
+fn tried<const N: usize, R: WangRule<N>>(rule: &mut R, level: usize, images: &[u32]) -> bool {
+    let placed = images.iter().take_while(|&&image| {
+        let open = rule.open(level).contains(image);
+        if open {
+            rule.take(level, &[image]);
+        }
+        open
+    });
+    let placed = placed.count();
+    rule.release(level, &images[..placed]);
+    placed == images.len()
 }

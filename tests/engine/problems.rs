@@ -101,7 +101,7 @@ fn with_wang<const N: usize, const L: usize>(
         let law = wang_rule::Pairs::<N>::new(class());
         visitor.visit(Wang::<N, L, _, true>::new(task, reduction, shown, law).unwrap().unwrap());
     } else {
-        let law = wang_rule::Once::<N>::new(tiles);
+        let law = wang_rule::Once::<N, L>::new(tiles);
         visitor.visit(
             Wang::<N, L, _, true>::new(task, reduction, shown, law.clone()).unwrap().unwrap(),
         );
