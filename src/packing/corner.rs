@@ -283,38 +283,39 @@ impl<R: Rule, const W: usize, const C: usize, const L: usize, const QUOTIENT: bo
     /// Whether what the color just written decides may be placed.
     fn fits(&mut self, level: usize) -> bool {
         let around = &self.around[level];
-        // Without images, and with all rows and first ends different, nothing that is placed
+        // Without images, and with all rows and all dominoes different, nothing that is placed
         // here stands in the way of another.
         let mut apart = R::EXACT && !QUOTIENT;
         let mut rows = [usize::MAX; 4];
         for (i, &window) in around.windows[..around.number.windows.into()].iter().enumerate() {
             let (known, free) = self.corners(window);
             let row = self.row(known);
-            if self.rule.open(row) >> free & 1 == 0 {
+            if i >= around.sieve.windows.into() && self.rule.open(row) >> free & 1 == 0 {
                 return false;
             }
             apart &= !rows.contains(&row);
             rows[i] = row;
         }
-        let mut firsts = [None; 4];
-        let dominoes = [
-            (&around.across[..around.number.across.into()], 0),
-            (&around.along[..around.number.along.into()], 2),
-        ];
-        for (dominoes, start) in dominoes {
-            for (i, &domino) in dominoes.iter().enumerate() {
-                let (first, second) = self.ends(domino);
-                let open = match start {
-                    0 => self.caps.has_across(first, second),
-                    _ => self.caps.has_along(first, second),
-                };
-                if !open {
-                    return false;
-                }
-                apart &= i == 0 || firsts[start] != Some(first);
-                firsts[start + i] = Some(first);
+        // The sieve has asked for the first ones already.
+        let across = &around.across[..around.number.across.into()];
+        for &domino in &across[around.sieve.across.into()..] {
+            let (first, second) = self.ends(domino);
+            if !self.caps.has_across(first, second) {
+                return false;
             }
         }
+        let along = &around.along[..around.number.along.into()];
+        for &domino in &along[around.sieve.along.into()..] {
+            let (first, second) = self.ends(domino);
+            if !self.caps.has_along(first, second) {
+                return false;
+            }
+        }
+        let differ = |dominoes: &[(u32, u32)]| match *dominoes {
+            [a, b] => self.ends(a) != self.ends(b),
+            _ => true,
+        };
+        apart &= differ(across) && differ(along);
         if apart {
             return true;
         }
