@@ -8,7 +8,7 @@
 //! that tile would be needed at two places; the set itself must be kept.
 
 use super::ColorMap;
-use crate::tiles::{Colors, Members, TileSet};
+use crate::tiles::{Colors, Kind, Members, TileSet};
 use crate::torus::Shape;
 
 /// A translation joined with a permutation of the colors.
@@ -40,6 +40,14 @@ pub enum AutomorphismError {
         list: String,
         /// The largest color.
         max: usize,
+    },
+    /// Two permutations where the tiles have one palette.
+    #[error(
+        "automorphism: {kind} tiles have one palette, but two different permutations are given"
+    )]
+    TwoPalettes {
+        /// The kind of the tiles.
+        kind: Kind,
     },
     /// The translation returns to its start after a number of steps, the colors do not.
     #[error(
@@ -116,12 +124,16 @@ impl Automorphism {
         shape: Shape,
         cover: bool,
     ) -> Result<usize, AutomorphismError> {
+        let kind = set.kind();
+        if kind != Kind::Wang && self.map.horizontal() != self.map.vertical() {
+            return Err(AutomorphismError::TwoPalettes { kind });
+        }
         let order = self.order(shape);
         let powers = self.powers(order, set.colors());
         if !powers[order - 1].then(&self.map).is_identity() {
             return Err(AutomorphismError::Order { dx: self.dx, dy: self.dy, order, shape });
         }
-        let (kind, colors) = (set.kind(), set.colors());
+        let colors = set.colors();
         let sides = |tile| kind.describe(tile, colors);
         let symmetric = matches!(set.members(), Members::Complete | Members::Compact);
         for tile in set.allowed() {
@@ -180,7 +192,6 @@ pub fn gcd(a: usize, b: usize) -> usize {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::tiles::Kind;
 
     fn complete(colors: u64) -> TileSet {
         TileSet::new(Kind::Corner, Colors::one(colors).unwrap(), Members::Complete).unwrap()
@@ -207,6 +218,7 @@ mod tests {
         assert!(matches!(check("1,0:+1", 3), Err(E::Collision { power: 3, tile: 0, .. })));
         assert!(matches!(check("3,0:1,0,2", 3), Err(E::Order { .. })));
         assert!(matches!(check("8,0:1,0,2,3", 4), Err(E::Collision { power: 1, .. })));
+        assert!(matches!(check("8,0:1,0/0,1", 2), Err(E::TwoPalettes { .. })));
         assert!(matches!(check("3,0:1,1,2", 3), Err(E::NotPermutation { .. })));
         assert!(matches!(check("3,0:0,1", 3), Err(E::NotPermutation { .. })));
         for text in ["", "3", "3,0", "3:+1", "3,0:", "3,0:+", "3,0:a", "x,0:+1", "3,0,0:+1"] {

@@ -65,6 +65,7 @@ const REFUSED: &[(&str, &str)] = &[
     ("find --kind corner --colors 2 --size 99999x99999", "more than 4294967295 cells"),
     ("find --kind domino --colors 2 --size 2x2", "one side must be 1"),
     // Automorphisms.
+    ("count --kind corner --colors 2 --automorphism 2,0:1,0/0,1", "corner tiles have one palette"),
     ("find --kind corner --colors 3 --automorphism 3", "expected DX,DY:PERM"),
     ("find --kind corner --colors 3 --automorphism 3,0:1,1,2", "not a permutation"),
     ("find --kind corner --colors 3 --automorphism 3,0:0,1", "not a permutation"),
