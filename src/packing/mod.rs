@@ -10,11 +10,12 @@
 //! * [`reduction`]: translations and the order of colors are removed before the search starts,
 //!   exactly, and multiplied back.
 //!
-//! [`Task`] states a question, [`solve`] answers it.
+//! [`Task`] states a question, [`dispatch`] makes it a problem, [`solve`] answers it.
 
 pub mod caps;
 pub mod corner;
 pub mod corner_plan;
+pub mod dispatch;
 mod impossible;
 pub mod quotient;
 pub mod reduction;

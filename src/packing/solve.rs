@@ -5,17 +5,13 @@
 //! reduction left out; up to symmetry, canonical packings are counted and the sizes of their
 //! orbits must add up to the same number, or the count is refused.
 
+use super::dispatch::{Visitor, with_problem};
 use super::reduction::Reduction;
 use super::sinks::{Leaves, Purpose};
-use super::task::tiles_to_choose;
-use super::{Labeled, Task, TaskError, ring, rule, wang_rule};
-use super::{
-    corner::Corner,
-    wang::{Shown, Wang},
-};
+use super::{Labeled, Task, TaskError};
 use crate::search::{self, Limits, Outcome, Plan, Progress, Values};
 use crate::symmetry::{Canonizer, Group, GroupError, orbits};
-use crate::tiles::{Kind, TileError};
+use crate::tiles::TileError;
 use num_bigint::BigUint;
 use rayon::prelude::*;
 
@@ -206,16 +202,7 @@ fn run(
     settings: &Settings<'_>,
     purpose: Purpose,
 ) -> Result<Answer<Met>, SolveError> {
-    task.check()?;
-    let search = Search { settings, purpose };
-    match task.set.kind() {
-        Kind::Corner => corner(task, reduction, search),
-        Kind::Wang => wang(task, reduction, Shown::Both, search),
-        Kind::Domino => {
-            let (wang_task, reduction) = (ring::task(task)?, ring::reduction(task, reduction)?);
-            wang(&wang_task, &reduction, ring::shown(task), search)
-        }
-    }
+    with_problem(task, reduction, Search { settings, purpose })
 }
 
 /// A search waiting for its problem.
@@ -224,12 +211,11 @@ struct Search<'a> {
     purpose: Purpose,
 }
 
-impl Search<'_> {
-    fn over<P: Labeled>(
-        self,
-        problem: Result<Option<P>, TaskError>,
-    ) -> Result<Answer<Met>, SolveError> {
-        let Some(problem) = problem? else {
+impl Visitor for Search<'_> {
+    type Output = Answer<Met>;
+
+    fn visit<P: Labeled>(self, problem: Option<P>) -> Result<Answer<Met>, SolveError> {
+        let Some(problem) = problem else {
             let work = Work { complete: true, nodes: 0, deepest: 0, levels: 0 };
             let leaves = Leaves::new(self.purpose);
             return Ok(Answer { value: Met { found: None, met: 0, leaves }, work });
@@ -242,93 +228,5 @@ impl Search<'_> {
         let Outcome { complete, found, nodes, solutions, deepest, sink, .. } = outcome;
         let work = Work { complete, nodes, deepest, levels };
         Ok(Answer { value: Met { found, met: solutions, leaves: sink }, work })
-    }
-}
-
-fn corner(
-    task: &Task,
-    reduction: &Reduction,
-    search: Search<'_>,
-) -> Result<Answer<Met>, SolveError> {
-    let cells = task.shape.cells();
-    match (task.set.colors().horizontal(), cells) {
-        (0..=4, 0..=511) => corner_words::<1, 4, 64, 512>(task, reduction, search),
-        (0..=8, 0..=8191) => corner_words::<2, 8, 512, 8192>(task, reduction, search),
-        _ => corner_words::<16, 64, 262_144, 65536>(task, reduction, search),
-    }
-}
-
-fn corner_words<const W: usize, const C: usize, const ROWS: usize, const L: usize>(
-    task: &Task,
-    reduction: &Reduction,
-    search: Search<'_>,
-) -> Result<Answer<Met>, SolveError> {
-    use rule::{Cover, Once, Pairs};
-    let spare = task.shape.cells() as u64 - task.set.size();
-    let compact = task.set.is_compact();
-    let cover = |rows| Cover::<ROWS>::new(rows, spare, compact.then_some(2));
-    match (task.cover, compact, task.automorphism.is_some()) {
-        (true, _, _) => search.over(Corner::<_, W, C, L, true>::new(task, reduction, cover)),
-        (_, true, true) => {
-            search.over(Corner::<_, W, C, L, true>::new(task, reduction, Pairs::<ROWS>::new))
-        }
-        (_, true, false) => {
-            search.over(Corner::<_, W, C, L, false>::new(task, reduction, Pairs::<ROWS>::new))
-        }
-        (_, false, true) => {
-            search.over(Corner::<_, W, C, L, true>::new(task, reduction, Once::<ROWS>::new))
-        }
-        (_, false, false) => {
-            search.over(Corner::<_, W, C, L, false>::new(task, reduction, Once::<ROWS>::new))
-        }
-    }
-}
-
-fn wang(
-    task: &Task,
-    reduction: &Reduction,
-    shown: Shown,
-    search: Search<'_>,
-) -> Result<Answer<Met>, SolveError> {
-    let tiles = tiles_to_choose(&task.set);
-    let cells = task.shape.cells();
-    match (tiles, cells) {
-        (0..=64, 0..=127) => wang_words::<1, 128>(task, reduction, shown, search),
-        (0..=256, 0..=511) => wang_words::<4, 512>(task, reduction, shown, search),
-        (0..=1024, 0..=1023) => wang_words::<16, 1024>(task, reduction, shown, search),
-        _ => wang_words::<64, 8192>(task, reduction, shown, search),
-    }
-}
-
-fn wang_words<const N: usize, const L: usize>(
-    task: &Task,
-    reduction: &Reduction,
-    shown: Shown,
-    search: Search<'_>,
-) -> Result<Answer<Met>, SolveError> {
-    let (set, colors) = (&task.set, task.set.colors());
-    let class = || -> Vec<u32> {
-        let north_west = |tile| {
-            let [n, _, _, w] = set.kind().unpack(tile, colors).map(u32::from);
-            n * colors.vertical() as u32 + w
-        };
-        set.allowed().map(north_west).collect()
-    };
-    let tiles = || set.size() as usize;
-    let spare = task.shape.cells() as u64 - set.size();
-    if task.cover {
-        let class = set.is_compact().then(class);
-        let count = class.as_ref().map_or_else(tiles, Vec::len);
-        let rule = wang_rule::Cover::<N>::new(count, spare, class);
-        search.over(Wang::<N, L, _, true>::new(task, reduction, shown, rule))
-    } else if set.is_compact() {
-        let rule = wang_rule::Pairs::<N>::new(class());
-        search.over(Wang::<N, L, _, true>::new(task, reduction, shown, rule))
-    } else {
-        let rule = wang_rule::Once::<N, L>::new(tiles());
-        match task.automorphism.is_some() {
-            true => search.over(Wang::<N, L, _, true>::new(task, reduction, shown, rule)),
-            false => search.over(Wang::<N, L, _, false>::new(task, reduction, shown, rule)),
-        }
     }
 }
