@@ -3,7 +3,8 @@
 //! * [`args`] is the command line as typed, [`help`] its longer texts; [`set`] and [`problem`]
 //!   turn it into what the library wants and refuse what makes no sense.
 //! * One file a command: [`find`], [`count`], [`list`], [`verify`], [`show`], [`sets`].
-//! * [`session`] runs a search with limits, [`signal`]s and [`progress`].
+//! * [`session`] runs a search with limits, [`signal`]s and [`progress`]; [`eta`] tells the time
+//!   that is left.
 //! * [`output`] writes results to standard output and remarks to standard error; [`exit`] holds
 //!   the exit codes. [`draw`] and its palette draw packings.
 //!
@@ -14,6 +15,7 @@ pub mod count;
 pub mod describe;
 pub mod draw;
 pub mod duration;
+pub mod eta;
 pub mod exit;
 pub mod find;
 pub mod help;
