@@ -4,8 +4,9 @@
 //!   turn it into what the library wants and refuse what makes no sense.
 //! * One file a command: [`find`], [`count`], [`list`], [`resume`], [`plan`], [`part`] (the command
 //!   `run`), [`merge`], [`verify`], [`show`], [`sets`].
-//! * [`session`] runs a search with limits, [`signal`]s, [`progress`] and [`status`]; [`saving`]
-//!   keeps it in a checkpoint, along with the [`request`] that the answer is for.
+//! * [`session`] runs a search with limits, [`signal`]s, [`progress`], [`eta`] (the time that is
+//!   left) and [`status`]; [`saving`] keeps it in a checkpoint, along with the [`request`] that
+//!   the answer is for.
 //! * [`output`] writes results to standard output and remarks to standard error; [`exit`] holds
 //!   the exit codes. [`draw`] and its palette draw packings.
 //!
@@ -16,6 +17,7 @@ pub mod count;
 pub mod describe;
 pub mod draw;
 pub mod duration;
+pub mod eta;
 pub mod exit;
 pub mod find;
 pub mod help;

@@ -96,7 +96,7 @@ impl<'a> Session<'a> {
                 limits: Limits { stop: &stop, nodes },
                 watch: &|progress| {
                     display.show(progress);
-                    status.look(progress, None);
+                    status.look(progress, display.left());
                 },
                 keeper: keeping.as_ref().map(|keeping| keeping.keeper()),
             },

@@ -73,8 +73,10 @@ impl Status {
         self.last.set(Some(Instant::now()));
         let Progress { nodes, solutions, deepest, levels, fraction, elapsed } = *progress;
         let seconds = elapsed.as_secs_f64();
+        // The longest time may be without bound.
+        let bounded = |time: Duration| (time < Duration::MAX).then(|| time.as_secs_f64());
         let left_seconds: Option<Value> =
-            left.map(|(low, high)| json!([low.as_secs_f64(), high.as_secs_f64()]));
+            left.map(|(shortest, longest)| json!([bounded(shortest), bounded(longest)]));
         let fields = [
             ("state", json!(state)),
             ("fraction", json!(fraction)),
