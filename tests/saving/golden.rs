@@ -132,13 +132,13 @@ fn the_format_is_the_documented_one() {
             (choices, values.list(Values::numbers))
         });
         for ((choices, left), path) in paths.into_iter().zip(&state.left) {
-            assert!(choices.into_iter().eq(path.choices.iter().map(|&choice| choice.into())));
+            assert!(choices.into_iter().eq(path.choices.iter().copied().map(u64::from)));
             for (gaps, numbers) in left.into_iter().zip(&path.left) {
                 let sums = gaps.into_iter().scan(0, |sum, gap| {
                     *sum += gap;
                     Some(*sum)
                 });
-                assert!(sums.eq(numbers.iter().map(|&number| number.into())));
+                assert!(sums.eq(numbers.iter().copied().map(u64::from)));
             }
         }
         let best = values.option(|values| (values.numbers(), values.text()));
