@@ -15,7 +15,8 @@
 //! 6. [`verify`]: packings checked from the definition, by code that shares nothing with the
 //!    search.
 //! 7. [`store`]: files, whole or not at all.
-//! 8. [`cli`]: the command line.
+//! 8. [`cluster`]: parts of a count as jobs of existing schedulers.
+//! 9. [`cli`]: the command line.
 //!
 //! Every layer uses only those before it (the search none), so each can be read, and trusted,
 //! without the later ones.
@@ -44,6 +45,7 @@
 //! ```
 
 pub mod cli;
+pub mod cluster;
 pub mod packing;
 pub mod search;
 pub mod store;

@@ -18,7 +18,8 @@ const LAYERS: &[(&str, &[&str])] = &[
     // Of nothing it checks: neither search nor packing nor symmetry.
     ("verify", &["tiles", "torus"]),
     ("store", &["tiles", "torus"]),
-    ("cli", &["tiles", "torus", "search", "symmetry", "packing", "verify", "store"]),
+    ("cluster", &[]),
+    ("cli", &["tiles", "torus", "search", "symmetry", "packing", "verify", "store", "cluster"]),
 ];
 
 /// Crates that only some files may name.

@@ -3,6 +3,7 @@
 //! * [`args`] is the command line as typed, [`help`] its longer texts; [`set`] and [`problem`]
 //!   turn it into what the library wants and refuse what makes no sense.
 //! * One file a command: [`find`], [`count`], [`list`], [`verify`], [`show`], [`sets`].
+//! * [`cluster`] writes job files for schedulers.
 //! * [`session`] runs a search with limits, [`signal`]s and [`progress`].
 //! * [`output`] writes results to standard output and remarks to standard error; [`exit`] holds
 //!   the exit codes. [`draw`] and its palette draw packings.
@@ -10,6 +11,7 @@
 //! Options, JSON fields and exit codes are a contract: other programs rely on them.
 
 pub mod args;
+pub mod cluster;
 pub mod count;
 pub mod describe;
 pub mod draw;
@@ -51,6 +53,7 @@ pub fn run() -> Exit {
         Command::Verify(args) => verify::run(args),
         Command::Show(args) => show::run(args),
         Command::Sets(args) => sets::run(args),
+        Command::Cluster(command) => cluster::run(command),
     };
     exit.unwrap_or_else(|error| {
         if error.is::<output::Closed>() {

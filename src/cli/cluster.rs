@@ -1,0 +1,103 @@
+//! `cluster`: job files that run the parts of a plan with a scheduler.
+
+use super::args::{ClusterCommand, JobArgs};
+use super::exit::Exit;
+use super::output;
+use crate::cluster::{self, Job, Slurm};
+use crate::store::write_file;
+use anyhow::{Context, bail};
+use std::io::Write;
+use std::path::{Path, PathBuf};
+
+/// Runs the command.
+///
+/// # Errors
+/// A plan that cannot be read, names that cannot be written, a file that cannot be.
+pub fn run(command: &ClusterCommand) -> anyhow::Result<Exit> {
+    let (text, args) = match command {
+        ClusterCommand::Slurm(args) => {
+            let options = Slurm { time: args.time.clone(), max_array: args.max_array };
+            (cluster::slurm(&job(&args.job)?, &options)?, &args.job)
+        }
+        ClusterCommand::Hyperqueue(args) => (cluster::hyperqueue(&job(args)?), args),
+        ClusterCommand::Parallel(args) => (cluster::parallel(&job(args)?), args),
+    };
+    match &args.output {
+        Some(file) => write_file(file, |out| out.write_all(text.as_bytes()))?,
+        None => output::result(|out| out.write_all(text.as_bytes()))?,
+    }
+    Ok(Exit::Yes)
+}
+
+/// The parts of the plan, with names that hold everywhere on a shared disk.
+fn job(args: &JobArgs) -> anyhow::Result<Job> {
+    let parts = parts(&args.plan)?;
+    let plan = absolute(&args.plan)?;
+    let dir = match &args.dir {
+        Some(dir) => absolute(dir)?,
+        None => format!("{plan}.parts"),
+    };
+    // A name without a slash is looked for on the path of the nodes.
+    let program = match args.program.parent() {
+        Some(folder) if !folder.as_os_str().is_empty() => absolute(&args.program)?,
+        _ => text(&args.program)?,
+    };
+    Ok(Job { program, plan, dir, parts, threads: args.threads })
+}
+
+/// How many parts a plan has.
+fn parts(plan: &Path) -> anyhow::Result<u64> {
+    let content = std::fs::read_to_string(plan).with_context(|| plan.display().to_string())?;
+    let content: serde_json::Value =
+        serde_json::from_str(&content).with_context(|| plan.display().to_string())?;
+    match content["parts"].as_u64() {
+        Some(parts) if parts > 0 => Ok(parts),
+        _ => bail!("{}: not a plan: it does not say how many parts it has", plan.display()),
+    }
+}
+
+fn absolute(path: &Path) -> anyhow::Result<String> {
+    text(&std::path::absolute(path).with_context(|| path.display().to_string())?)
+}
+
+fn text(path: &Path) -> anyhow::Result<String> {
+    match PathBuf::from(path).into_os_string().into_string() {
+        Ok(text) if !text.contains('\0') => Ok(text),
+        _ => bail!("{}: a name that is not UTF-8 cannot be written to a script", path.display()),
+    }
+}
+
+/// Reads a time limit in Slurm's notation: HH:MM:SS, or D-HH:MM:SS for days.
+pub fn time_limit(text: &str) -> Result<String, String> {
+    let (days, time) = text.split_once('-').unwrap_or(("0", text));
+    let number = |digits: &str| {
+        let digits_only = !digits.is_empty() && digits.bytes().all(|b| b.is_ascii_digit());
+        digits_only.then(|| digits.parse::<u32>().ok()).flatten()
+    };
+    let fields: Vec<Option<u32>> = time.split(':').map(number).collect();
+    match (number(days), &fields[..]) {
+        (Some(days), [Some(hours), Some(minutes), Some(seconds)])
+            if *minutes < 60 && *seconds < 60 && days + hours + minutes + seconds > 0 =>
+        {
+            Ok(text.into())
+        }
+        _ => Err("expected HH:MM:SS or D-HH:MM:SS, such as 24:00:00 or 7-00:00:00".into()),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::time_limit;
+
+    #[test]
+    fn time_limits() {
+        for right in ["00:05:00", "24:00:00", "100:00:00", "7-00:00:00"] {
+            assert_eq!(time_limit(right).as_deref(), Ok(right));
+        }
+        for wrong in
+            ["", "60", "1:2", "00:00:00", "00:60:00", "1-2-3", "a:b:c", "1:00:00 ", "+1:00:00"]
+        {
+            assert!(time_limit(wrong).is_err(), "{wrong}");
+        }
+    }
+}
