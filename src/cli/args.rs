@@ -307,6 +307,9 @@ pub struct JobArgs {
     /// Threads of each part
     #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u16).range(1..=1024))]
     pub threads: u16,
+    /// Time from one checkpoint to the next: 500ms, 90s, 10m, 2h [default: that of run]
+    #[arg(long, value_name = "TIME", value_parser = cluster::checkpoint_every)]
+    pub checkpoint_every: Option<String>,
     /// The program as the nodes find it: a name on their path, or a file
     #[arg(long, value_name = "PROGRAM", default_value = "tilepack")]
     pub program: PathBuf,

@@ -2,7 +2,7 @@
 
 use super::args::{ClusterCommand, JobArgs};
 use super::exit::Exit;
-use super::output;
+use super::{duration, output};
 use crate::cluster::{self, Job, Slurm};
 use crate::store::write_file;
 use anyhow::{Context, bail};
@@ -42,7 +42,8 @@ fn job(args: &JobArgs) -> anyhow::Result<Job> {
         Some(folder) if !folder.as_os_str().is_empty() => absolute(&args.program)?,
         _ => text(&args.program)?,
     };
-    Ok(Job { program, plan, dir, parts, threads: args.threads })
+    let checkpoint_every = args.checkpoint_every.clone();
+    Ok(Job { program, plan, dir, parts, threads: args.threads, checkpoint_every })
 }
 
 /// How many parts a plan has.
@@ -67,7 +68,18 @@ fn text(path: &Path) -> anyhow::Result<String> {
     }
 }
 
+/// Reads the time from one checkpoint to the next, to be passed on as it was written.
+///
+/// # Errors
+/// What is wrong with it.
+pub fn checkpoint_every(text: &str) -> Result<String, String> {
+    duration::parse(text).map(|_| text.into()).map_err(|error| error.to_string())
+}
+
 /// Reads a time limit in Slurm's notation: HH:MM:SS, or D-HH:MM:SS for days.
+///
+/// # Errors
+/// What is wrong with it.
 pub fn time_limit(text: &str) -> Result<String, String> {
     let (days, time) = text.split_once('-').unwrap_or(("0", text));
     let number = |digits: &str| {

@@ -5,7 +5,8 @@
 //! The task of a worker that died gets SIGTERM and may still be writing its checkpoint when
 //! another worker starts the part anew, which therefore waits a little.
 
-use super::{Job, shell};
+use super::Job;
+use super::shell::ATTEND;
 
 /// Workers that a part may lose; with the 5 of HyperQueue a run of weeks could fail.
 const CRASHES: u32 = 100;
@@ -14,10 +15,7 @@ const CRASHES: u32 = 100;
 pub fn hyperqueue(job: &Job) -> String {
     let head = job.head("hq submit");
     let (threads, logs, last) = (job.threads, job.logs(), job.parts.saturating_sub(1));
-    let attend: String = shell::attend(&job.command(r#""$HQ_TASK_ID""#))
-        .lines()
-        .map(|line| format!("    {line}\n"))
-        .collect();
+    let command = job.command(r#""$HQ_TASK_ID""#);
     format!(
         r#"#!/bin/sh
 {head}# Keep it where the workers can read it until all parts are finished.
@@ -30,11 +28,13 @@ if [ -z "${{HQ_TASK_ID-}}" ]; then
         --stdout=none --stderr=none "$@" -- sh "$self"
 fi
 
+{ATTEND}
 exec >>{logs}/"part-$HQ_TASK_ID.log" 2>&1
 [ "$HQ_INSTANCE_ID" -eq 0 ] || sleep 5
 while :; do
     echo "part $HQ_TASK_ID on $(uname -n), instance $HQ_INSTANCE_ID"
-{attend}    echo "part $HQ_TASK_ID: exit code $code"
+    attend {command}
+    echo "part $HQ_TASK_ID: exit code $code"
     [ "$code" -eq 75 ] || exit "$code"
     # Stopped, with a checkpoint. If the worker is gone, too, the part goes on elsewhere.
     sleep 5

@@ -32,14 +32,24 @@ pub struct Job {
     pub parts: u64,
     /// Threads of one part, at least one.
     pub threads: u16,
+    /// Time from one checkpoint to the next as the program reads it; its default if there is none.
+    pub checkpoint_every: Option<String>,
 }
 
 impl Job {
     /// The command that runs the part whose number the shell word `part` gives.
     fn command(&self, part: &str) -> String {
-        let Self { program, plan, dir, threads, .. } = self;
-        let (program, plan, dir) = (quote(program), quote(plan), quote(dir));
-        format!("{program} run {plan} --part {part} --dir {dir} --threads {threads} --quiet")
+        let (program, plan, dir) = (quote(&self.program), quote(&self.plan), quote(&self.dir));
+        format!("{program} run {plan} --part {part} --dir {dir} {}", self.options())
+    }
+
+    /// The options of the command that are the same for all parts and need no quotes.
+    fn options(&self) -> String {
+        let every = match &self.checkpoint_every {
+            Some(time) => format!(" --checkpoint-every {}", quote(time)),
+            None => String::new(),
+        };
+        format!("--threads {}{every} --quiet", self.threads)
     }
 
     /// The shell word for the folder with the logs.

@@ -13,8 +13,8 @@ const GRACE: u32 = 20_000;
 pub fn parallel(job: &Job) -> String {
     let head = job.head("parallel");
     let (program, plan, dir) = (quote(&job.program), quote(&job.plan), quote(&job.dir));
-    let (threads, logs, last) = (job.threads, job.logs(), job.parts.saturating_sub(1));
-    let share = (100 / u32::from(threads.max(1))).max(1);
+    let (options, logs, last) = (job.options(), job.logs(), job.parts.saturating_sub(1));
+    let share = (100 / u32::from(job.threads.max(1))).max(1);
     format!(
         r#"#!/bin/sh
 {head}
@@ -26,7 +26,7 @@ export PARALLEL_SHELL=/bin/sh
 mkdir -p "$TILEPACK_LOGS" && cd "$TILEPACK_LOGS" || exit
 seq 0 {last} | parallel --joblog parallel.joblog --resume-failed --jobs {share}% --retries 3 \
     --halt soon,fail=3 --termseq TERM,{GRACE},KILL,1000 "$@" \
-    'exec "$TILEPACK_PROGRAM" run "$TILEPACK_PLAN" --part {{}} --dir "$TILEPACK_DIR" --threads {threads} --quiet >>"$TILEPACK_LOGS/part-{{}}.log" 2>&1'
+    'exec "$TILEPACK_PROGRAM" run "$TILEPACK_PLAN" --part {{}} --dir "$TILEPACK_DIR" {options} >>"$TILEPACK_LOGS/part-{{}}.log" 2>&1'
 "#
     )
 }

@@ -13,28 +13,28 @@ pub fn quote(text: &str) -> String {
     format!("'{}'", text.replace('\'', r"'\''"))
 }
 
-/// Shell text that runs a command, passes SIGTERM on to it, and leaves its exit code in `code`.
+/// A shell function that runs a command, passes SIGTERM on to it, and leaves its exit code in
+/// `code`.
 ///
 /// Some schedulers signal only the script, some every process of the job. In the second case the
 /// command must not get the signal twice: the second one ends it without a checkpoint. So the
 /// script waits a second before it passes the signal on; then it reaches nobody.
-pub(super) fn attend(command: &str) -> String {
-    format!(
-        r#"stopped=''
-trap 'stopped=1; sleep 1; kill -TERM "$!" 2>/dev/null' TERM
-{command} &
-# A signal ends wait early; the exit code comes with the next one (127: it was known already).
-code=127
-while :; do
+pub(super) const ATTEND: &str = r#"# Runs a command, passes SIGTERM on to it, leaves its exit code in $code.
+attend() {
     stopped=''
-    wait "$!"
-    status=$?
-    [ "$status" -eq 127 ] || code=$status
-    [ -n "$stopped" ] || break
-done
-"#
-    )
+    trap 'stopped=1; sleep 1; kill -TERM "$!" 2>/dev/null' TERM
+    "$@" &
+    # A signal ends wait early; the exit code comes with the next one (127: it was known already).
+    code=127
+    while :; do
+        stopped=''
+        wait "$!"
+        status=$?
+        [ "$status" -eq 127 ] || code=$status
+        [ -n "$stopped" ] || break
+    done
 }
+"#;
 
 #[cfg(test)]
 mod tests {

@@ -8,7 +8,8 @@
 //! script; the part stops with 75 and the script requeues it. A job that was cancelled, preempted
 //! or lost its node is not RUNNING any more, and what becomes of it is not ours to decide.
 
-use super::{ClusterError, Job, shell};
+use super::shell::ATTEND;
+use super::{ClusterError, Job};
 
 /// What only Slurm wants to know.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -37,7 +38,7 @@ pub fn slurm(job: &Job, options: &Slurm) -> Result<String, ClusterError> {
     let head = job.head("sbatch");
     let (threads, logs) = (job.threads, job.logs());
     let submit = submit(job.parts, options.max_array.max(1));
-    let attend = shell::attend(&job.command(r#""$part""#));
+    let command = job.command(r#""$part""#);
     Ok(format!(
         r#"#!/bin/sh
 {head}#SBATCH --job-name=tilepack
@@ -56,10 +57,12 @@ if [ -z "${{SLURM_ARRAY_TASK_ID-}}" ]; then
 {submit}    exit
 fi
 
+{ATTEND}
 id=${{SLURM_ARRAY_JOB_ID}}_$SLURM_ARRAY_TASK_ID
 part=$(($1 + SLURM_ARRAY_TASK_ID))
 echo "part $part on $SLURMD_NODENAME, restarts: ${{SLURM_RESTART_COUNT:-0}}"
-{attend}echo "part $part: exit code $code"
+attend {command}
+echo "part $part: exit code $code"
 # Stopped in time, with a checkpoint: once more, unless Slurm has decided otherwise.
 if [ "$code" -eq 75 ] && [ "$(squeue -h -j "$id" -o %T)" = RUNNING ]; then
     scontrol requeue "$id"
