@@ -8,7 +8,7 @@
 
 use criterion::{BatchSize, Criterion, Throughput, criterion_group, criterion_main};
 use std::hint::black_box;
-use tilepack::packing::{Settings, Task, count, find};
+use tilepack::packing::{Job, Settings, Task, count, find};
 use tilepack::search::{Limits, Values, naive};
 use tilepack::symmetry::Automorphism;
 use tilepack::tiles::{Colors, Kind, Members, TileSet};
@@ -25,6 +25,11 @@ fn task(kind: Kind, colors: u64, members: Members, automorphism: &str) -> Task {
     task
 }
 
+/// Nothing removed before the search.
+fn plain(task: &Task) -> Job {
+    Job { reduce: false, ..Job::from(task) }
+}
+
 fn nodes(nodes: u64) -> Limits<'static> {
     Limits { nodes, ..Limits::NONE }
 }
@@ -33,21 +38,20 @@ fn nodes(nodes: u64) -> Limits<'static> {
 fn counts(c: &mut Criterion) {
     let mut group = c.benchmark_group("count");
     group.sample_size(20);
-    let plain = Settings { reduce: false, ..Settings::PLAIN };
     let wang = task(Kind::Wang, 2, Members::Complete, "");
     let quotient = task(Kind::Corner, 3, Members::Complete, "3,0:+1");
-    for (name, task, settings, answer) in [
-        ("wang C=2, no symmetry removed", &wang, plain, 203_520u32),
-        ("wang C=2, symmetry removed", &wang, Settings::PLAIN, 203_520),
-        ("corner C=3 with a[i][j+3] = a[i][j]+1", &quotient, Settings::PLAIN, 303_264),
+    for (name, job, answer) in [
+        ("wang C=2, no symmetry removed", plain(&wang), 203_520u32),
+        ("wang C=2, symmetry removed", Job::from(&wang), 203_520),
+        ("corner C=3 with a[i][j+3] = a[i][j]+1", Job::from(&quotient), 303_264),
     ] {
-        let visited = count(task, &settings, false).unwrap().work.nodes;
+        let visited = count(job.clone(), &Settings::PLAIN, false).unwrap().work.nodes;
         group.throughput(Throughput::Elements(visited));
         for threads in [1, 2] {
-            let settings = Settings { threads, ..settings };
+            let settings = Settings { threads, ..Settings::PLAIN };
             group.bench_function(format!("{name}, {threads} threads"), |b| {
                 b.iter(|| {
-                    let counted = count(black_box(task), &settings, false).unwrap();
+                    let counted = count(black_box(job.clone()), &settings, false).unwrap();
                     assert_eq!(counted.value.packings, answer.into());
                 });
             });
@@ -81,10 +85,10 @@ fn prefixes(c: &mut Criterion) {
 fn firsts(c: &mut Criterion) {
     let mut group = c.benchmark_group("first");
     group.sample_size(10);
-    let random = |seed| Settings { values: Values::Random(seed), ..Settings::PLAIN };
     let corner = task(Kind::Corner, 3, Members::Complete, "");
     let compact = task(Kind::Corner, 3, Members::Compact, "");
     let quotient = task(Kind::Corner, 4, Members::Complete, "4,0:1,2,3,0");
+    let random = |seed| Job { values: Values::Random(seed), ..Job::from(&quotient) };
     group.bench_function("corner C=3", |b| {
         b.iter(|| find(black_box(&corner), &Settings::PLAIN).unwrap());
     });
@@ -99,7 +103,7 @@ fn firsts(c: &mut Criterion) {
         };
         b.iter_batched(
             next,
-            |seed| find(black_box(&quotient), &random(seed)).unwrap(),
+            |seed| find(black_box(random(seed)), &Settings::PLAIN).unwrap(),
             BatchSize::PerIteration,
         );
     });
@@ -110,8 +114,10 @@ fn firsts(c: &mut Criterion) {
 fn against_naive(c: &mut Criterion) {
     let mut group = c.benchmark_group("corner C=2, all");
     let corner = task(Kind::Corner, 2, Members::Complete, "");
-    let plain = Settings { reduce: false, ..Settings::PLAIN };
-    group.bench_function("search", |b| b.iter(|| count(&corner, &plain, false).unwrap()));
+    let job = plain(&corner);
+    group.bench_function("search", |b| {
+        b.iter(|| count(job.clone(), &Settings::PLAIN, false).unwrap());
+    });
     group.bench_function("naive", |b| {
         b.iter(|| {
             let mut found = 0;

@@ -15,7 +15,7 @@
 //! 6. [`verify`]: packings checked from the definition, by code that shares nothing with the
 //!    search.
 //! 7. [`store`]: files, whole or not at all.
-//! 8. [`cluster`]: parts of a count as jobs of existing schedulers.
+//! 8. [`cluster`]: one search in parts, on many machines.
 //! 9. [`cli`]: the command line.
 //!
 //! Every layer uses only those before it (the search none), so each can be read, and trusted,

@@ -34,6 +34,18 @@ pub enum Command {
     /// List all packings, sorted, one JSON object a line
     #[command(after_help = help::LIST)]
     List(ListArgs),
+    /// Go on with a search that was saved
+    #[command(after_help = help::RESUME)]
+    Resume(ResumeArgs),
+    /// Divide a count or a list into parts for several machines
+    #[command(after_help = help::PLAN)]
+    Plan(PlanArgs),
+    /// Search one part of a plan
+    #[command(after_help = help::RUN)]
+    Run(PartArgs),
+    /// Put the parts of a plan together
+    #[command(after_help = help::MERGE)]
+    Merge(MergeArgs),
     /// Check packings from the definition
     #[command(after_help = help::VERIFY)]
     Verify(VerifyArgs),
@@ -123,19 +135,38 @@ pub struct SearchArgs {
     /// Seed of random choices
     #[arg(long, value_name = "N", default_value_t = 0)]
     pub seed: u64,
+    /// Search without removing symmetry first: slow, for checking; same answer
+    #[arg(long)]
+    pub plain: bool,
+    /// Save the search to this file while it runs; if the file is there, go on from it
+    /// [without FILE: a file in checkpoints/ named after the search]
+    #[arg(long, value_name = "FILE", num_args = 0..=1, default_missing_value = "")]
+    pub checkpoint: Option<PathBuf>,
+    /// Limits, threads, what is shown.
+    #[command(flatten)]
+    pub run: RunArgs,
+}
+
+/// What may differ from one run of a search to the next.
+#[derive(Debug, Clone, Args)]
+#[command(next_help_heading = "Search")]
+pub struct RunArgs {
     /// Stop after this time: 500ms, 90s, 10m, 2h, 1d; a number alone is in seconds
     #[arg(long, value_name = "TIME", value_parser = duration::parse)]
     pub time_limit: Option<Duration>,
     /// Stop after this many nodes (valid placements), over all threads
     #[arg(long, value_name = "N")]
     pub node_limit: Option<u64>,
-    /// Search without removing symmetry first: slow, for checking; same answer
-    #[arg(long)]
-    pub plain: bool,
+    /// Time between two checkpoints, and two looks at --status
+    #[arg(long, value_name = "TIME", value_parser = duration::parse, default_value = "60s")]
+    pub checkpoint_every: Duration,
+    /// Write how far the search is to this file (JSON) once a checkpoint
+    #[arg(long, value_name = "FILE")]
+    pub status: Option<PathBuf>,
     /// Threads [default: all cores]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
     pub threads: Option<u16>,
-    /// No progress and no remarks on standard error, only errors and early stops
+    /// No progress and no remarks on standard error, only errors, warnings and early stops
     #[arg(long)]
     pub quiet: bool,
 }
@@ -217,6 +248,96 @@ pub struct ListArgs {
     /// One JSON object about the list on standard output; needs -o
     #[arg(long, help_heading = "Result")]
     pub json: bool,
+}
+
+/// A search that was saved.
+#[derive(Debug, Clone, Args)]
+pub struct ResumeArgs {
+    /// The checkpoint
+    #[arg(value_name = "CHECKPOINT")]
+    pub file: PathBuf,
+    /// Limits, threads, what is shown.
+    #[command(flatten)]
+    pub run: RunArgs,
+    /// Write the result to this file [default: as the command that began the search]
+    #[arg(short, long, value_name = "FILE", help_heading = "Result")]
+    pub output: Option<PathBuf>,
+    /// One JSON object on standard output
+    #[arg(long, help_heading = "Result")]
+    pub json: bool,
+}
+
+/// A search in parts.
+#[derive(Debug, Clone, Args)]
+pub struct PlanArgs {
+    /// The packings in question.
+    #[command(flatten)]
+    pub problem: ProblemArgs,
+    /// The order in which cells are filled; it changes the time, not the packings
+    #[arg(long, value_name = "ORDER", value_parser = orders(), help_heading = "Search")]
+    pub order: Option<Order>,
+    /// Search without removing symmetry first: slow, for checking; same answer
+    #[arg(long, help_heading = "Search")]
+    pub plain: bool,
+    /// A list of the packings instead of their number
+    #[arg(long, help_heading = "Search")]
+    pub list: bool,
+    /// Also count up to symmetry, or list only one packing of each orbit
+    #[arg(long, help_heading = "Search")]
+    pub up_to_symmetry: bool,
+    /// Number of parts
+    #[arg(long, value_name = "M", value_parser = clap::value_parser!(u64).range(1..=1_000_000), help_heading = "Parts")]
+    pub parts: u64,
+    /// Choices that lead to the nodes dealt out to the parts [default: the fewest that lead to
+    /// enough of them, the same for any M up to 4096]
+    #[arg(long, value_name = "D", value_parser = clap::value_parser!(u32).range(1..), help_heading = "Parts")]
+    pub depth: Option<u32>,
+    /// Write the plan to this file
+    #[arg(short, long, value_name = "PLAN", help_heading = "Result")]
+    pub output: PathBuf,
+    /// One JSON object on standard output
+    #[arg(long, help_heading = "Result")]
+    pub json: bool,
+}
+
+/// A part of a plan.
+#[derive(Debug, Clone, Args)]
+pub struct PartArgs {
+    /// The plan
+    #[arg(value_name = "PLAN")]
+    pub plan: PathBuf,
+    /// Number of the part, from 0
+    #[arg(long, value_name = "R")]
+    pub part: u64,
+    /// Folder for checkpoints and results of parts; made if it is not there [default: PLAN.parts]
+    #[arg(long, value_name = "DIR")]
+    pub dir: Option<PathBuf>,
+    /// Limits, threads, what is shown.
+    #[command(flatten)]
+    pub run: RunArgs,
+    /// One JSON object on standard output
+    #[arg(long, help_heading = "Result")]
+    pub json: bool,
+}
+
+/// The parts of a plan.
+#[derive(Debug, Clone, Args)]
+pub struct MergeArgs {
+    /// The plan
+    #[arg(value_name = "PLAN")]
+    pub plan: PathBuf,
+    /// Folder with the results of the parts [default: PLAN.parts]
+    #[arg(long, value_name = "DIR")]
+    pub dir: Option<PathBuf>,
+    /// Write the list to this file instead of standard output (plans of lists only)
+    #[arg(short, long, value_name = "FILE", help_heading = "Result")]
+    pub output: Option<PathBuf>,
+    /// One JSON object on standard output
+    #[arg(long, help_heading = "Result")]
+    pub json: bool,
+    /// No remarks on standard error, only errors and warnings
+    #[arg(long, help_heading = "Result")]
+    pub quiet: bool,
 }
 
 /// Packings to check.

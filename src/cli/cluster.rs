@@ -2,9 +2,9 @@
 
 use super::args::{ClusterCommand, JobArgs};
 use super::exit::Exit;
-use super::{duration, output};
+use super::{duration, output, part};
 use crate::cluster::{self, Job, Slurm};
-use crate::store::write_file;
+use crate::store::{SearchPlan, write_file};
 use anyhow::{Context, bail};
 use std::io::Write;
 use std::path::{Path, PathBuf};
@@ -31,12 +31,9 @@ pub fn run(command: &ClusterCommand) -> anyhow::Result<Exit> {
 
 /// The parts of the plan, with names that hold everywhere on a shared disk.
 fn job(args: &JobArgs) -> anyhow::Result<Job> {
-    let parts = parts(&args.plan)?;
+    let parts = SearchPlan::read(&args.plan)?.parts;
     let plan = absolute(&args.plan)?;
-    let dir = match &args.dir {
-        Some(dir) => absolute(dir)?,
-        None => format!("{plan}.parts"),
-    };
+    let dir = absolute(&part::folder(&args.plan, args.dir.as_deref()))?;
     // A name without a slash is looked for on the path of the nodes.
     let program = match args.program.parent() {
         Some(folder) if !folder.as_os_str().is_empty() => absolute(&args.program)?,
@@ -44,17 +41,6 @@ fn job(args: &JobArgs) -> anyhow::Result<Job> {
     };
     let checkpoint_every = args.checkpoint_every.clone();
     Ok(Job { program, plan, dir, parts, threads: args.threads, checkpoint_every })
-}
-
-/// How many parts a plan has.
-fn parts(plan: &Path) -> anyhow::Result<u64> {
-    let content = std::fs::read_to_string(plan).with_context(|| plan.display().to_string())?;
-    let content: serde_json::Value =
-        serde_json::from_str(&content).with_context(|| plan.display().to_string())?;
-    match content["parts"].as_u64() {
-        Some(parts) if parts > 0 => Ok(parts),
-        _ => bail!("{}: not a plan: it does not say how many parts it has", plan.display()),
-    }
 }
 
 fn absolute(path: &Path) -> anyhow::Result<String> {

@@ -1,6 +1,6 @@
 //! Sets, packings and sizes in words.
 
-use crate::packing::Task;
+use crate::packing::{Job, Question, Task};
 use crate::tiles::{Kind, Members, TileSet};
 use crate::torus::{Packing, Shape};
 
@@ -70,6 +70,41 @@ pub fn conditions(task: &Task) -> &'static str {
         (false, true) => " with these pins",
         (true, true) => " with this automorphism and these pins",
     }
+}
+
+/// A search: `count: complete corner set over 3 colors, 9x9 torus, with this automorphism`.
+pub fn job(job: &Job) -> String {
+    let task = &job.task;
+    let question = match job.question {
+        Question::First => "find",
+        Question::Count { .. } => "count",
+        Question::List { .. } => "list",
+    };
+    let symmetry = if job.up_to_symmetry() { " up to symmetry" } else { "" };
+    let part = match job.part {
+        Some(part) => format!(", part {} of {}", part.number, part.of),
+        None => String::new(),
+    };
+    let (set, torus) = (set(&task.set), torus(task.set.kind(), task.shape));
+    format!("{question}{symmetry}: {set}, {torus}{}{part}", conditions(task))
+}
+
+/// The same in a few characters that suit the name of a file: `count-corner-3-9x9`.
+pub fn slug(job: &Job) -> String {
+    let set = &job.task.set;
+    let question = match job.question {
+        Question::First => "find",
+        Question::Count { .. } => "count",
+        Question::List { .. } => "list",
+    };
+    let members = match set.members() {
+        Members::Complete => "",
+        Members::Compact => "-compact",
+        Members::Pruned(_) => "-pruned",
+        Members::Explicit(_) => "-explicit",
+    };
+    let colors = set.colors().to_string().replace(',', "x");
+    format!("{question}-{}-{colors}{members}-{}", set.kind(), job.task.shape)
 }
 
 /// That a finished search found nothing.

@@ -1,4 +1,7 @@
-//! Time in words: reading `90s`, `10m`, `2h`, and writing how long something took.
+//! Time in words: reading `90s`, `10m`, `2h`, and writing how long something took or may take.
+//!
+//! A time that is only known to lie in a range is written in few digits and in the units people
+//! would use, up to years; its ends are rounded outward, so that the range stays true.
 
 use std::time::Duration;
 
@@ -40,6 +43,71 @@ pub fn words(time: Duration) -> String {
         6000..172_800 => format!("{} h {} min", whole / 3600, whole % 3600 / 60),
         _ => format!("{} d {} h", whole / 86400, whole % 86400 / 3600),
     }
+}
+
+/// A unit of a range.
+struct Unit {
+    name: &'static str,
+    seconds: f64,
+    /// Beyond so many the next unit is used.
+    most: f64,
+}
+
+/// The units of ranges.
+const SPOKEN: [Unit; 6] = [
+    Unit { name: "s", seconds: 1.0, most: 90.0 },
+    Unit { name: "min", seconds: 60.0, most: 90.0 },
+    Unit { name: "h", seconds: 3600.0, most: 48.0 },
+    Unit { name: "days", seconds: 86_400.0, most: 90.0 },
+    Unit { name: "months", seconds: YEAR / 12.0, most: 24.0 },
+    Unit { name: "years", seconds: YEAR, most: 1000.0 },
+];
+/// Seconds of a year.
+const YEAR: f64 = 365.25 * 86_400.0;
+/// A range is open when its ends are this many times apart.
+const OPEN: f64 = 50.0;
+
+/// A range of times for people: `2.5 to 4 h`, `50 min to 2 h`, `up to 3 s`. One that reaches too
+/// far to be of use is told by its beginning: `more than 3 years`, at most 1000 of them.
+pub fn range(shortest: Duration, longest: Duration) -> String {
+    let (low, high) = (shortest.as_secs_f64(), longest.as_secs_f64());
+    let own = unit(low);
+    let from = rounded(low, own, f64::floor);
+    if high > 1000.0 * YEAR || (from > 0.0 && high > OPEN * low) {
+        return match from {
+            0.0 => "an unknown time".to_owned(),
+            _ => format!("more than {} {}", from.min(1000.0), own.name),
+        };
+    }
+    let unit = unit(high);
+    let to = rounded(high, unit, f64::ceil).max(1.0);
+    if from == 0.0 {
+        return format!("up to {to} {}", unit.name);
+    }
+    if low < unit.seconds {
+        return format!("{from} {} to {to} {}", own.name, unit.name);
+    }
+    match rounded(low, unit, f64::floor) {
+        from if from == to => format!("about {to} {}", unit.name),
+        from => format!("{from} to {to} {}", unit.name),
+    }
+}
+
+/// The unit for a time.
+fn unit(seconds: f64) -> &'static Unit {
+    let fits = |unit: &&Unit| seconds <= unit.seconds * unit.most;
+    SPOKEN.iter().find(fits).unwrap_or(&SPOKEN[SPOKEN.len() - 1])
+}
+
+/// A number of units near a time, in steps: of 5 from 20 on, of a half below 5, but whole seconds.
+fn rounded(seconds: f64, unit: &Unit, round: fn(f64) -> f64) -> f64 {
+    let number = seconds / unit.seconds;
+    let step = match () {
+        () if number > 20.0 => 5.0,
+        () if number > 5.0 || unit.seconds == 1.0 => 1.0,
+        () => 0.5,
+    };
+    round(number / step) * step
 }
 
 #[cfg(test)]
@@ -86,6 +154,40 @@ mod tests {
             (200_000.0, "2 d 7 h"),
         ] {
             assert_eq!(words(Duration::from_secs_f64(seconds)), expected);
+        }
+    }
+
+    #[test]
+    fn writes_ranges_in_units_for_people() {
+        const MIN: f64 = 60.0;
+        const H: f64 = 3600.0;
+        const D: f64 = 24.0 * H;
+        const Y: f64 = 365.25 * D;
+        for (low, high, expected) in [
+            (0.0, 0.0, "up to 1 s"),
+            (0.3, 2.2, "up to 3 s"),
+            (0.5, 70.0 * MIN, "up to 70 min"),
+            (3.9, 7.1, "3 to 8 s"),
+            (23.0, 41.0, "20 to 45 s"),
+            (180.0, 300.0, "3 to 5 min"),
+            (70.0, 250.0, "1 to 4.5 min"),
+            (40.0, 100.0, "40 s to 2 min"),
+            (120.0, 120.0, "about 2 min"),
+            (2.6 * H, 3.9 * H, "2.5 to 4 h"),
+            (52.0 * MIN, 2.0 * H, "50 min to 2 h"),
+            (30.0 * H, 70.0 * H, "1 to 3 days"),
+            (20.0 * D, 100.0 * D, "20 days to 3.5 months"),
+            (0.9 * Y, 3.2 * Y, "10 months to 3.5 years"),
+            (400.0 * Y, 990.0 * Y, "400 to 990 years"),
+            (3.3 * Y, 1001.0 * Y, "more than 3 years"),
+            (2.0 * H, 200.0 * H, "more than 2 h"),
+            (1.2, 1e9, "more than 1 s"),
+            (0.9, 1e99, "an unknown time"),
+            (1e12, 1e14, "more than 1000 years"),
+            (1e99, 1e99, "more than 1000 years"),
+        ] {
+            let time = |s: f64| Duration::try_from_secs_f64(s).unwrap_or(Duration::MAX);
+            assert_eq!(range(time(low), time(high)), expected, "{low} {high}");
         }
     }
 }

@@ -2,9 +2,11 @@
 
 use super::args::{FindArgs, Method, ValueOrder};
 use super::exit::Exit;
+use super::request::Request;
+use super::saving::Save;
 use super::session::{Done, Session};
 use super::{describe, output, problem};
-use crate::packing::{self, Task};
+use crate::packing::{Job, Question};
 use crate::search::Values;
 use crate::store::{Layout, check_writable, write_file, write_grid, write_solution};
 use crate::torus::Packing;
@@ -18,155 +20,172 @@ use std::path::Path;
 /// # Errors
 /// Bad input, or a file that cannot be written.
 pub fn run(args: &FindArgs) -> anyhow::Result<Exit> {
+    // Search is the one method there is.
+    let (Method::Auto | Method::Search) = args.method;
     let task = problem::task(&args.problem, args.search.order)?;
-    if let Some(file) = &args.output {
-        check_writable(file)?;
-    }
-    match args.method {
-        // Search is the one method there is.
-        Method::Auto | Method::Search => search(args, &task),
-    }
-}
-
-fn search(args: &FindArgs, task: &Task) -> anyhow::Result<Exit> {
     let values = match args.values {
         ValueOrder::Lexicographic => Values::Lexicographic,
         ValueOrder::Random => Values::Random(args.search.seed),
     };
-    let session = Session::new(&args.search, values)?;
-    if let Some(reason) = task.impossible() {
-        return none(args, task, "argument", &session.without_search(()), &reason);
+    let job = Job { values, reduce: !args.search.plain, ..Job::new(task, Question::First) };
+    let request = Request {
+        output: args.output.clone(),
+        json: args.json,
+        pins: args.problem.pin.as_ref().map(|pin| pin.to_string_lossy().into_owned()),
+        automorphism: args.problem.automorphism.clone(),
+    };
+    let save = Save::asked(args.search.checkpoint.as_deref(), &job)?;
+    answer(&job, &request, &Session::new(&args.search.run)?, save)
+}
+
+/// Searches, also on from where the search was saved, and gives the answer.
+///
+/// # Errors
+/// A file that cannot be read or written.
+pub fn answer(
+    job: &Job,
+    request: &Request,
+    session: &Session<'_>,
+    save: Option<Save>,
+) -> anyhow::Result<Exit> {
+    let task = &job.task;
+    if let Some(file) = &request.output {
+        check_writable(file)?;
     }
-    let done = session.run(|settings| packing::find(task, settings))?;
-    let Some(labels) = &done.value else {
+    let find = Find { job, request };
+    if let Some(reason) = task.impossible() {
+        return find.none("argument", &session.without_search(), &reason);
+    }
+    let done = session.run(job, request, save)?;
+    let Some(labels) = done.standing.first() else {
         if done.stopped.is_some() {
-            if args.json {
-                print_json(args, task, "stopped", "search", &done, None, None)?;
+            if request.json {
+                find.print_json("stopped", "search", &done, None, None)?;
             }
             let (sought, conditions) = (describe::sought(task), describe::conditions(task));
             done.tell_stop(&format!("no {sought}{conditions} found so far"));
-            return Ok(Exit::Stopped);
+            return Ok(done.stopped_exit());
         }
-        return none(args, task, "search", &done, &describe::nothing(task));
+        return find.none("search", &done, &describe::nothing(task));
     };
     let packing = task.lattice().packing(labels, &task.set, task.cover);
     let verdict = verify::check(&packing);
     if !verdict.is_valid() {
         bail!("internal error: the search found what is no packing: {verdict}; please report this");
     }
-    let how = how(args, task, done.stopped.is_none());
-    if let Some(file) = &args.output {
-        let provenance = provenance(args, &how, &done);
+    let how = find.how(done.stopped.is_none());
+    if let Some(file) = &request.output {
+        let provenance = find.provenance(&how, &done);
         write_file(file, |out| write_solution(out, &packing, &provenance, Layout::Pretty))?;
     }
-    match (args.json, &args.output) {
-        (true, _) => print_json(args, task, "found", "search", &done, Some(&packing), None)?,
+    match (request.json, &request.output) {
+        (true, _) => find.print_json("found", "search", &done, Some(&packing), None)?,
         (false, Some(_)) => {}
         (false, None) => output::result(|out| {
             writeln!(out, "# found by {how}, {} nodes", done.work.nodes)?;
             write_grid(out, &packing)
         })?,
     }
-    session.remark(&format!("found by {how}: {}{}", done.effort(), written_to(args)));
+    let written = match &request.output {
+        Some(file) => format!("; written to {}", file.display()),
+        None => String::new(),
+    };
+    session.remark(&format!("found by {how}: {}{written}", done.effort()));
     Ok(Exit::Yes)
 }
 
-/// The answer is no.
-fn none<T>(
-    args: &FindArgs,
-    task: &Task,
-    method: &str,
-    done: &Done<T>,
-    reason: &str,
-) -> anyhow::Result<Exit> {
-    if args.json {
-        print_json(args, task, "none", method, done, None, Some(reason))?;
-    } else {
-        output::line(&format!("none: {reason}"))?;
-    }
-    Ok(Exit::No)
+/// A search for a packing, and where it goes.
+struct Find<'a> {
+    job: &'a Job,
+    request: &'a Request,
 }
 
-/// How a packing was found: `search (first in row order, values lexicographic)`.
-fn how(args: &FindArgs, task: &Task, complete: bool) -> String {
-    let order = task.visiting_order();
-    let values = match args.values {
-        ValueOrder::Lexicographic => "lexicographic".to_owned(),
-        ValueOrder::Random => format!("random with seed {}", args.search.seed),
-    };
-    // A search that a limit ends may have met another packing before the first.
-    let first = if complete { "first" } else { "one, not surely the first," };
-    let symmetric = match &args.problem.automorphism {
-        Some(text) => format!(", only among those with automorphism {text}"),
-        None => String::new(),
-    };
-    format!("search ({first} in {order} order, values {values}{symmetric})")
-}
-
-fn provenance(args: &FindArgs, how: &str, done: &Done<impl Sized>) -> Value {
-    let mut fields = Map::new();
-    let mut put = |name: &str, value: Value| fields.insert(name.to_owned(), value);
-    put("method", json!(how));
-    put("program", json!("tilepack"));
-    put("version", json!(env!("CARGO_PKG_VERSION")));
-    put("nodes", json!(done.work.nodes.to_string()));
-    if args.values == ValueOrder::Random {
-        put("seed", json!(args.search.seed));
-    }
-    if let Some(automorphism) = &args.problem.automorphism {
-        put("automorphism", json!(automorphism));
-    }
-    if let Some(pin) = &args.problem.pin {
-        put("pins", json!(pin.to_string_lossy()));
-    }
-    if args.search.plain {
-        put("plain", json!(true));
-    }
-    Value::Object(fields)
-}
-
-fn print_json<T>(
-    args: &FindArgs,
-    task: &Task,
-    result: &str,
-    method: &str,
-    done: &Done<T>,
-    packing: Option<&Packing>,
-    reason: Option<&str>,
-) -> anyhow::Result<()> {
-    let file = args.output.as_deref().filter(|_| packing.is_some()).map(Path::to_string_lossy);
-    let mut fields = vec![
-        ("result", json!(result)),
-        ("method", json!(method)),
-        ("width", json!(task.shape.width())),
-        ("height", json!(task.shape.height())),
-    ];
-    fields.extend(done.fields());
-    fields.extend([("file", json!(file)), ("reason", json!(reason))]);
-    if args.values == ValueOrder::Random {
-        fields.push(("seed", json!(args.search.seed)));
-    }
-    if let Some(automorphism) = &args.problem.automorphism {
-        fields.push(("automorphism", json!(automorphism)));
-    }
-    // With the rest of a solution's fields the object is a solution, too.
-    if let Some(packing) = packing.filter(|_| args.output.is_none()) {
-        let description = output::description(packing);
-        for name in ["format", "kind", "colors", "set", "cover", "topology"] {
-            if let Some(value) = description.get(name) {
-                fields.push((name, value.clone()));
-            }
+impl Find<'_> {
+    /// The answer is no.
+    fn none(&self, method: &str, done: &Done, reason: &str) -> anyhow::Result<Exit> {
+        if self.request.json {
+            self.print_json("none", method, done, None, Some(reason))?;
+        } else {
+            output::line(&format!("none: {reason}"))?;
         }
-        let rows: Vec<Vec<u32>> =
-            packing.rows().map(|row| row.iter().map(|tile| tile.0).collect()).collect();
-        fields.push(("tiles", json!(rows)));
+        Ok(Exit::No)
     }
-    output::object(&fields)
-}
 
-fn written_to(args: &FindArgs) -> String {
-    match &args.output {
-        Some(file) => format!("; written to {}", file.display()),
-        None => String::new(),
+    /// How a packing was found: `search (first in row order, values lexicographic)`.
+    fn how(&self, complete: bool) -> String {
+        let order = self.job.task.visiting_order();
+        let values = match self.job.values {
+            Values::Lexicographic => "lexicographic".to_owned(),
+            Values::Random(seed) => format!("random with seed {seed}"),
+        };
+        // A search that a limit ends may have met another packing before the first.
+        let first = if complete { "first" } else { "one, not surely the first," };
+        let symmetric = match &self.request.automorphism {
+            Some(text) => format!(", only among those with automorphism {text}"),
+            None => String::new(),
+        };
+        format!("search ({first} in {order} order, values {values}{symmetric})")
+    }
+
+    fn provenance(&self, how: &str, done: &Done) -> Value {
+        let mut fields = Map::new();
+        let mut put = |name: &str, value: Value| fields.insert(name.to_owned(), value);
+        put("method", json!(how));
+        put("program", json!("tilepack"));
+        put("version", json!(env!("CARGO_PKG_VERSION")));
+        put("nodes", json!(done.work.nodes.to_string()));
+        if let Values::Random(seed) = self.job.values {
+            put("seed", json!(seed));
+        }
+        if let Some(automorphism) = &self.request.automorphism {
+            put("automorphism", json!(automorphism));
+        }
+        if let Some(pins) = &self.request.pins {
+            put("pins", json!(pins));
+        }
+        if !self.job.reduce {
+            put("plain", json!(true));
+        }
+        Value::Object(fields)
+    }
+
+    fn print_json(
+        &self,
+        result: &str,
+        method: &str,
+        done: &Done,
+        packing: Option<&Packing>,
+        reason: Option<&str>,
+    ) -> anyhow::Result<()> {
+        let Self { job, request } = self;
+        let file =
+            request.output.as_deref().filter(|_| packing.is_some()).map(Path::to_string_lossy);
+        let mut fields = vec![
+            ("result", json!(result)),
+            ("method", json!(method)),
+            ("width", json!(job.task.shape.width())),
+            ("height", json!(job.task.shape.height())),
+        ];
+        fields.extend(done.fields());
+        fields.extend([("file", json!(file)), ("reason", json!(reason))]);
+        if let Values::Random(seed) = job.values {
+            fields.push(("seed", json!(seed)));
+        }
+        if let Some(automorphism) = &request.automorphism {
+            fields.push(("automorphism", json!(automorphism)));
+        }
+        // With the rest of a solution's fields the object is a solution, too.
+        if let Some(packing) = packing.filter(|_| request.output.is_none()) {
+            let description = output::description(packing);
+            for name in ["format", "kind", "colors", "set", "cover", "topology"] {
+                if let Some(value) = description.get(name) {
+                    fields.push((name, value.clone()));
+                }
+            }
+            let rows: Vec<Vec<u32>> =
+                packing.rows().map(|row| row.iter().map(|tile| tile.0).collect()).collect();
+            fields.push(("tiles", json!(rows)));
+        }
+        output::object(&fields)
     }
 }

@@ -123,6 +123,63 @@ Examples:
 JSON fields (--json): size (a string of digits), tiles (with --list), kind, colors, set, checked \
 (whether the size was also found by listing).";
 
+/// Examples for `resume`.
+pub const RESUME: &str = "\
+The checkpoint says which search it is, how it was to be done and where the answer goes; limits \
+and the number of threads may be others. When the newest checkpoint is damaged, the one before \
+it is taken, with a warning. A search that is complete gives its answer again. Running the same \
+command with the same --checkpoint FILE does the same.
+
+Examples:
+  tilepack count --kind corner --colors 3 --checkpoint c3.checkpoint --time-limit 1h
+  tilepack resume c3.checkpoint
+  tilepack resume c3.checkpoint --threads 1 --status c3.json --checkpoint-every 10m
+
+JSON fields (--json): those of the command that began the search, and checkpoint.";
+
+/// Examples for `plan`.
+pub const PLAN: &str = "\
+The nodes at one depth of the search tree are dealt out to the parts, by a hash of the choices \
+that lead to them: part R of M is the union of the parts R, R+M, R+2M, ... of a plan with a \
+multiple of M parts and the same depth. A part needs nothing of the others, so parts may run \
+anywhere, in any order, with any number of threads.
+
+Examples:
+  tilepack plan --kind wang --colors 2 --parts 16 -o wang.plan
+  tilepack run wang.plan --part 0                # and so on to 15: see tilepack cluster
+  tilepack merge wang.plan
+
+JSON fields (--json): result (planned, or none when it is plain that there is no packing), parts, \
+done, file, plan (the name of the plan: its checksum), depth, frontier, above (nodes at that \
+depth, and above it).";
+
+/// Examples for `run`.
+pub const RUN: &str = "\
+May be run again at any time: a part that is done ends at once with 0, one that was stopped goes \
+on from its checkpoint, one that another process is at work on is refused with 2. A signal or a \
+limit saves the part and exits with 75. DIR then holds part-R.result.json, and before that \
+part-R.checkpoint.
+
+Examples:
+  tilepack run wang.plan --part 3
+  tilepack run wang.plan --part 3 --dir /shared/wang --threads 1 --time-limit 1h
+
+JSON fields (--json): result (complete or stopped), part, parts, done (1 or 0), solutions_met, \
+nodes, seconds, stopped_by, checkpoint.";
+
+/// Examples for `merge`.
+pub const MERGE: &str = "\
+Gives the answer of the undivided search: the same number, the same nodes, for a list the same \
+bytes. While parts are missing it names them and exits with 75. Results of another plan, another \
+version or twice the same part are refused.
+
+Examples:
+  tilepack merge wang.plan
+  tilepack merge list.plan --dir /shared/list -o all.jsonl
+
+JSON fields (--json): parts, done, missing (when there are any), and those of count or list. \
+seconds is the sum over the parts.";
+
 /// Examples for `cluster`.
 pub const CLUSTER: &str = "\
 The script is run with sh, once; options after its name go to the scheduler. Run it again when \

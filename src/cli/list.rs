@@ -2,11 +2,12 @@
 
 use super::args::ListArgs;
 use super::exit::Exit;
-use super::session::Session;
+use super::request::Request;
+use super::saving::Save;
+use super::session::{Done, Session};
 use super::{describe, output, problem};
-use crate::packing::solve::SolveError;
-use crate::packing::{self, Task};
-use crate::search::Values;
+use crate::packing::solve::listed;
+use crate::packing::{Job, Question, Task};
 use crate::store::{Layout, check_writable, write_file, write_solution};
 use anyhow::bail;
 use serde_json::{Value, json};
@@ -18,49 +19,88 @@ use std::io::{self, Write};
 /// Bad input, or a file that cannot be written.
 pub fn run(args: &ListArgs) -> anyhow::Result<Exit> {
     let task = problem::task(&args.problem, args.search.order)?;
-    if args.up_to_symmetry && task.has_pins() {
-        return Err(SolveError::PinnedOrbits.into());
-    }
-    match &args.output {
-        Some(file) => check_writable(file)?,
-        None if args.json => bail!("--json needs -o: without it, standard output is for the list"),
-        None => {}
-    }
-    let session = Session::new(&args.search, Values::Lexicographic)?;
-    let reason = task.impossible();
-    let done = match &reason {
-        Some(_) => session.without_search(Vec::new()),
-        None => session.run(|settings| packing::list(&task, settings, args.up_to_symmetry))?,
+    let question = Question::List { up_to_symmetry: args.up_to_symmetry };
+    let job = Job { reduce: !args.search.plain, ..Job::new(task, question) };
+    job.check()?;
+    let request = Request { output: args.output.clone(), json: args.json, ..Request::default() };
+    let save = Save::asked(args.search.checkpoint.as_deref(), &job)?;
+    answer(&job, &request, &Session::new(&args.search.run)?, save)
+}
+
+/// Searches, also on from where the search was saved, and gives the answer.
+///
+/// # Errors
+/// A file that cannot be read or written.
+pub fn answer(
+    job: &Job,
+    request: &Request,
+    session: &Session<'_>,
+    save: Option<Save>,
+) -> anyhow::Result<Exit> {
+    check_output(request)?;
+    let reason = job.task.impossible();
+    let mut done = match &reason {
+        Some(_) => session.without_search(),
+        None => session.run(job, request, save)?,
     };
-    let packings = &done.value;
-    let found = describe::number(packings.len() as u64, describe::sought(&task));
-    match &args.output {
-        Some(file) => write_file(file, |out| write(&task, packings, out))?,
-        None => output::result(|out| write(&task, packings, out))?,
+    let packings = listed(job, std::mem::take(&mut done.standing.kept));
+    tell(job, request, &done, &packings, reason.as_deref())?;
+    let found = describe::number(packings.len() as u64, describe::sought(&job.task));
+    done.tell_stop(&format!("the list is incomplete, with {found}"));
+    if done.stopped.is_some() {
+        return Ok(done.stopped_exit());
     }
-    if args.json {
+    if packings.is_empty() {
+        let reason = reason.unwrap_or_else(|| describe::nothing(&job.task));
+        session.remark(&format!("none: {reason}"));
+    } else {
+        let conditions = describe::conditions(&job.task);
+        let what = if job.up_to_symmetry() { " up to symmetry" } else { "" };
+        session.remark(&format!("{found}{conditions}{what} listed: {}", done.effort()));
+    }
+    Ok(Exit::of(!packings.is_empty()))
+}
+
+/// Checks, before any work, that the list can go where it is asked for.
+///
+/// # Errors
+/// When it cannot.
+pub fn check_output(request: &Request) -> anyhow::Result<()> {
+    match &request.output {
+        Some(file) => Ok(check_writable(file)?),
+        None if request.json => {
+            bail!("--json needs -o: without it, standard output is for the list")
+        }
+        None => Ok(()),
+    }
+}
+
+/// Writes a list, and what there is to say about it in JSON.
+///
+/// # Errors
+/// When a file or standard output cannot be written to.
+pub fn tell(
+    job: &Job,
+    request: &Request,
+    done: &Done,
+    packings: &[Vec<u8>],
+    reason: Option<&str>,
+) -> anyhow::Result<()> {
+    match &request.output {
+        Some(file) => write_file(file, |out| write(&job.task, packings, out))?,
+        None => output::result(|out| write(&job.task, packings, out))?,
+    }
+    if request.json {
         let mut fields = vec![
             ("result", json!(done.state())),
             ("solutions", json!(packings.len().to_string())),
-            ("file", json!(args.output.as_ref().map(|file| file.to_string_lossy()))),
+            ("file", json!(request.output.as_ref().map(|file| file.to_string_lossy()))),
         ];
         fields.extend(done.fields());
         fields.push(("reason", json!(reason)));
         output::object(&fields)?;
     }
-    done.tell_stop(&format!("the list is incomplete, with {found}"));
-    if done.stopped.is_some() {
-        return Ok(Exit::Stopped);
-    }
-    if packings.is_empty() {
-        let reason = reason.unwrap_or_else(|| describe::nothing(&task));
-        session.remark(&format!("none: {reason}"));
-    } else {
-        let conditions = describe::conditions(&task);
-        let what = if args.up_to_symmetry { " up to symmetry" } else { "" };
-        session.remark(&format!("{found}{conditions}{what} listed: {}", done.effort()));
-    }
-    Ok(Exit::of(!packings.is_empty()))
+    Ok(())
 }
 
 fn write(task: &Task, packings: &[Vec<u8>], out: &mut dyn Write) -> io::Result<()> {

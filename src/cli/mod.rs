@@ -2,9 +2,11 @@
 //!
 //! * [`args`] is the command line as typed, [`help`] its longer texts; [`set`] and [`problem`]
 //!   turn it into what the library wants and refuse what makes no sense.
-//! * One file a command: [`find`], [`count`], [`list`], [`verify`], [`show`], [`sets`].
-//! * [`cluster`] writes job files for schedulers.
-//! * [`session`] runs a search with limits, [`signal`]s and [`progress`].
+//! * One file a command: [`find`], [`count`], [`list`], [`resume`], [`plan`], [`part`] (the command
+//!   `run`), [`merge`], [`verify`], [`show`], [`sets`], [`cluster`] (job files).
+//! * [`session`] runs a search with limits, [`signal`]s, [`progress`], [`eta`] (the time that is
+//!   left) and [`status`]; [`saving`] keeps it in a checkpoint, along with the [`request`] that
+//!   the answer is for.
 //! * [`output`] writes results to standard output and remarks to standard error; [`exit`] holds
 //!   the exit codes. [`draw`] and its palette draw packings.
 //!
@@ -16,19 +18,27 @@ pub mod count;
 pub mod describe;
 pub mod draw;
 pub mod duration;
+pub mod eta;
 pub mod exit;
 pub mod find;
 pub mod help;
 pub mod list;
+pub mod merge;
 pub mod output;
+pub mod part;
+pub mod plan;
 pub mod problem;
 pub mod progress;
+pub mod request;
+pub mod resume;
+pub mod saving;
 pub mod session;
 pub mod set;
 pub mod sets;
 pub mod show;
 pub mod signal;
 pub mod source;
+pub mod status;
 pub mod verify;
 
 use args::{Cli, Command};
@@ -50,6 +60,10 @@ pub fn run() -> Exit {
         Command::Find(args) => find::run(args),
         Command::Count(args) => count::run(args),
         Command::List(args) => list::run(args),
+        Command::Resume(args) => resume::run(args),
+        Command::Plan(args) => plan::run(args),
+        Command::Run(args) => part::run(args),
+        Command::Merge(args) => merge::run(args),
         Command::Verify(args) => verify::run(args),
         Command::Show(args) => show::run(args),
         Command::Sets(args) => sets::run(args),

@@ -4,10 +4,11 @@
 //! The only user of `indicatif`. The part of the tree that is done is Knuth's measure, in which
 //! every alternative of a node counts the same; the tree is not even, so it is called "about".
 
+use super::eta::{self, Eta};
 use super::{describe, duration, output};
 use crate::search::Progress;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
-use std::cell::{Cell, OnceCell};
+use std::cell::{Cell, OnceCell, RefCell};
 use std::io::{self, IsTerminal};
 use std::time::Duration;
 
@@ -17,12 +18,15 @@ const PATIENCE: Duration = Duration::from_secs(1);
 const BETWEEN_LINES: Duration = Duration::from_secs(5);
 /// Steps of the bar.
 const STEPS: u64 = 10_000;
+/// Characters beside a bar on the usual terminal of 80.
+const BESIDE_BAR: usize = 80 - "[==========] ".len();
 
 /// Shows progress, and remembers the last it was told.
 #[derive(Debug)]
 pub struct Display {
     mode: Mode,
     last: Cell<Option<Progress>>,
+    eta: RefCell<Eta>,
 }
 
 #[derive(Debug)]
@@ -42,27 +46,34 @@ impl Display {
             (false, true) => Mode::Bar(OnceCell::new()),
             (false, false) => Mode::Lines(Cell::new(BETWEEN_LINES)),
         };
-        Self { mode, last: Cell::new(None) }
+        Self { mode, last: Cell::new(None), eta: RefCell::default() }
     }
 
     /// Takes a look at the search; called some twenty times a second.
     pub fn show(&self, progress: &Progress) {
         self.last.set(Some(*progress));
+        self.eta.borrow_mut().add(progress.elapsed, progress.fraction);
         match &self.mode {
             Mode::Quiet => {}
             Mode::Bar(bar) if progress.elapsed >= PATIENCE => {
                 let bar = bar.get_or_init(new_bar);
                 bar.set_position((progress.fraction * STEPS as f64) as u64);
-                bar.set_message(few_words(progress));
+                bar.set_message(few_words(progress, self.left()));
             }
             Mode::Bar(_) => {}
             Mode::Lines(due) => {
                 if progress.elapsed >= due.get() {
                     due.set(progress.elapsed + BETWEEN_LINES);
-                    output::remark(&words(progress));
+                    output::remark(&words(progress, self.left()));
                 }
             }
         }
+    }
+
+    /// The time left, from the shortest to the longest that is likely, if there is any telling;
+    /// see [`Eta::left`]. Told also when nothing is shown.
+    pub fn left(&self) -> Option<(Duration, Duration)> {
+        self.eta.borrow().left()
     }
 
     /// Takes the display away and gives the last progress shown, if there was time for any.
@@ -86,12 +97,13 @@ fn new_bar() -> ProgressBar {
 }
 
 /// All there is to say, the most telling first, in one line.
-fn words(progress: &Progress) -> String {
+fn words(progress: &Progress, left: Option<(Duration, Duration)>) -> String {
     let Progress { nodes, solutions, deepest, levels, fraction, elapsed } = *progress;
     let rate = nodes as f64 / elapsed.as_secs_f64().max(1e-3);
+    let left = left.map_or(String::new(), |left| format!(", {}", eta::words(left)));
     format!(
         "about {} of the tree, {} nodes, {} nodes/s, deepest level {deepest} of {levels}, \
-         {} met, {}",
+         {} met, {}{left}",
         percent(fraction),
         rounded(nodes as f64),
         rounded(rate),
@@ -100,17 +112,21 @@ fn words(progress: &Progress) -> String {
     )
 }
 
-/// The same in as few characters as will do, so that it fits beside a bar.
-fn few_words(progress: &Progress) -> String {
+/// The same in as few characters as will do, so that it fits beside a bar; the time left is worth
+/// more than the number of nodes, and that more than the deepest level.
+fn few_words(progress: &Progress, left: Option<(Duration, Duration)>) -> String {
     let Progress { nodes, solutions, deepest, levels, fraction, elapsed } = *progress;
     let rate = nodes as f64 / elapsed.as_secs_f64().max(1e-3);
-    format!(
-        "about {}, {}, {} nodes, {}/s, deepest {deepest}/{levels}, {solutions} met",
-        percent(fraction),
-        duration::words(elapsed),
-        short(nodes as f64),
-        short(rate)
-    )
+    let left = left.map_or(String::new(), |left| format!(" {},", eta::words(left)));
+    let begin = format!("about {}, {},{left}", percent(fraction), duration::words(elapsed));
+    let (count, rate) = (format!("{} nodes, ", short(nodes as f64)), short(rate));
+    let (level, met) = (format!("deepest {deepest}/{levels}, "), format!("{solutions} met"));
+    let all = format!("{begin} {count}{rate}/s, {level}{met}");
+    if all.len() <= BESIDE_BAR || left.is_empty() {
+        return all;
+    }
+    let fewer = format!("{begin} {count}{rate}/s, {met}");
+    if fewer.len() <= BESIDE_BAR { fewer } else { format!("{begin} {rate} nodes/s, {met}") }
 }
 
 /// A part of 1 as a percentage, however small.
@@ -172,12 +188,30 @@ mod tests {
             elapsed: Duration::from_secs(4),
         };
         assert_eq!(
-            words(&progress),
+            words(&progress, None),
             "about 25.00 % of the tree, 2.00 million nodes, 500000 nodes/s, \
              deepest level 40 of 81, 3 solutions met, 4.00 s"
         );
         let few = "about 25.00 %, 4.00 s, 2.0M nodes, 500.0k/s, deepest 40/81, 3 met";
-        assert_eq!(few_words(&progress), few);
+        assert_eq!(few_words(&progress, None), few);
         assert!("[==========] ".len() + few.len() <= 80);
+        let minutes = |minutes: u64| Duration::from_secs(60 * minutes);
+        let left = Some((minutes(3), minutes(5)));
+        assert!(words(&progress, left).ends_with(", 3 solutions met, 4.00 s, 3 to 5 min left"));
+        let few = "about 25.00 %, 4.00 s, 3 to 5 min left, 2.0M nodes, 500.0k/s, 3 met";
+        assert_eq!(few_words(&progress, left), few);
+        // The longest there is.
+        let progress = Progress {
+            nodes: 432_100_000_000,
+            solutions: 1234,
+            fraction: 1.2345e-7,
+            elapsed: Duration::from_secs(5995),
+            ..progress
+        };
+        let few = few_words(&progress, Some((minutes(50), minutes(143))));
+        assert_eq!(
+            few,
+            "about 1.2e-5 %, 99 min 55 s, 50 min to 2.5 h left, 72.1M nodes/s, 1234 met"
+        );
     }
 }

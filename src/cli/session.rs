@@ -1,13 +1,18 @@
-//! One search as a user runs it: its limits, signals, progress and time.
+//! One search as a user runs it: its limits, signals, progress, checkpoints and time.
 //!
 //! A stopped search is no failure. It says what stopped it and how far it got, and its exit code
 //! asks to run it again.
 
-use super::args::SearchArgs;
+use super::args::RunArgs;
+use super::exit::Exit;
+use super::request::Request;
+use super::saving::{Save, Saving};
+use super::status::Status;
 use super::{duration, output, progress, signal};
-use crate::packing::solve::{SolveError, Work};
-use crate::packing::{Answer, Settings};
-use crate::search::{Limits, Stop, Values};
+use crate::packing::solve::Work;
+use crate::packing::{self, Job, Settings, Standing};
+use crate::search::{Limits, Stop};
+use crate::store::{Extent, StoreError};
 use anyhow::Context;
 use serde_json::{Value, json};
 use std::num::NonZero;
@@ -18,8 +23,7 @@ use std::time::{Duration, Instant};
 /// A search about to be run.
 #[derive(Debug)]
 pub struct Session<'a> {
-    args: &'a SearchArgs,
-    values: Values,
+    args: &'a RunArgs,
     begin: Instant,
     signal: &'static AtomicBool,
     deadline: Option<Instant>,
@@ -28,15 +32,19 @@ pub struct Session<'a> {
 
 /// A search that has been run.
 #[derive(Debug)]
-pub struct Done<T> {
-    /// The answer; not final when stopped.
-    pub value: T,
-    /// What the search did.
+pub struct Done {
+    /// What it stands at.
+    pub standing: Standing,
+    /// What it did, in all runs.
     pub work: Work,
-    /// The time it took.
+    /// The time it took, in all runs.
     pub time: Duration,
     /// What ended it early.
     pub stopped: Option<Stopped>,
+    /// Whether and where what it stands at was saved.
+    pub saved: Option<Result<Save, StoreError>>,
+    /// How much of the file of packings counts, where they are kept in one.
+    pub kept: Option<Extent>,
 }
 
 /// An early end.
@@ -53,40 +61,54 @@ impl<'a> Session<'a> {
     ///
     /// # Errors
     /// When threads or signals cannot be had.
-    pub fn new(args: &'a SearchArgs, values: Values) -> anyhow::Result<Self> {
+    pub fn new(args: &'a RunArgs) -> anyhow::Result<Self> {
         let threads = threads(args.threads)?;
         let signal = signal::listen()?;
         let begin = Instant::now();
         // A limit beyond what a clock can show is none.
         let deadline = args.time_limit.and_then(|limit| begin.checked_add(limit));
-        Ok(Self { args, values, begin, signal, deadline, threads })
+        Ok(Self { args, begin, signal, deadline, threads })
     }
 
-    /// Runs a search.
+    /// Runs a search, from where it was saved if it was, saving it where asked.
     ///
     /// # Errors
-    /// What the search reports.
-    pub fn run<T>(
-        &self,
-        search: impl FnOnce(&Settings<'_>) -> Result<Answer<T>, SolveError>,
-    ) -> anyhow::Result<Done<T>> {
-        let display = progress::Display::new(self.args.quiet);
+    /// What the search reports; a file that cannot be read or written.
+    pub fn run(&self, job: &Job, request: &Request, save: Option<Save>) -> anyhow::Result<Done> {
+        let quiet = self.args.quiet;
+        let status = Status::new(self.args, self.threads, save.as_ref())?;
+        let opened = save.map(|save| Saving::open(save, job, request, quiet)).transpose()?;
+        let (saving, from) = match opened {
+            Some((saving, from)) => (Some(saving), from),
+            None => (None, None),
+        };
+        let before = from.as_ref().map_or(0, |standing| standing.state.nodes);
+        let was_complete = from.as_ref().is_some_and(Standing::is_complete);
+        let keeping = saving.map(|saving| saving.start(self.args.checkpoint_every));
+        let display = progress::Display::new(quiet);
         let stop = (self.signal, self.deadline);
         let nodes = self.args.node_limit.unwrap_or(u64::MAX);
-        let answer = search(&Settings {
-            threads: self.threads,
-            limits: Limits { stop: &stop, nodes },
-            watch: &|progress| display.show(progress),
-            values: self.values,
-            reduce: !self.args.plain,
-        });
+        let standing = packing::run(
+            job,
+            from,
+            &Settings {
+                threads: self.threads,
+                limits: Limits { stop: &stop, nodes },
+                watch: &|progress| {
+                    display.show(progress);
+                    status.look(progress, display.left());
+                },
+                keeper: keeping.as_ref().map(|keeping| keeping.keeper()),
+            },
+        );
         let last = display.finish();
-        let Answer { value, work } = answer?;
-        let time = self.begin.elapsed();
+        let mut standing = standing?;
+        let work = Work::of(&standing);
+        let time = standing.state.elapsed;
         let stopped = (!work.complete).then(|| {
             let by = match () {
                 () if self.signal.should_stop() => "signal",
-                () if work.nodes >= nodes => "node-limit",
+                () if standing.state.nodes - before >= nodes => "node-limit",
                 () => "time-limit",
             };
             let about = last.map_or(String::new(), |last| {
@@ -101,13 +123,23 @@ impl<'a> Session<'a> {
             );
             Stopped { by, how_far }
         });
-        Ok(Done { value, work, time, stopped })
+        let (saved, kept) = match keeping {
+            None => (None, None),
+            Some(keeping) => {
+                let (saved, kept) = keeping.finish(job, &mut standing, was_complete)?;
+                (Some(saved), kept)
+            }
+        };
+        status.end(&standing, stopped.is_none());
+        Ok(Done { standing, work, time, stopped, saved, kept })
     }
 
     /// What was done when no search was needed.
-    pub fn without_search<T>(&self, value: T) -> Done<T> {
-        let work = Work { complete: true, nodes: 0, deepest: 0, levels: 0 };
-        Done { value, work, time: self.begin.elapsed(), stopped: None }
+    pub fn without_search(&self) -> Done {
+        let mut standing = Standing::nothing();
+        standing.state.elapsed = self.begin.elapsed();
+        let (work, time) = (Work::of(&standing), standing.state.elapsed);
+        Done { standing, work, time, stopped: None, saved: None, kept: None }
     }
 
     /// Says something on standard error, unless asked to be quiet.
@@ -118,7 +150,7 @@ impl<'a> Session<'a> {
     }
 }
 
-impl<T> Done<T> {
+impl Done {
     /// `complete` or `stopped`.
     pub fn state(&self) -> &'static str {
         if self.stopped.is_some() { "stopped" } else { "complete" }
@@ -130,20 +162,40 @@ impl<T> Done<T> {
     }
 
     /// Says on standard error that, why and how far along the search was stopped, also when
-    /// asked to be quiet: the answer is not what it seems.
+    /// asked to be quiet: the answer is not what it seems. Then whether it was saved.
     pub fn tell_stop(&self, meaning: &str) {
         if let Some(Stopped { by, how_far }) = &self.stopped {
-            output::remark(&format!("stopped early by {}: {how_far}; {meaning}", spoken(by)));
+            let saved = match &self.saved {
+                Some(Ok(save)) => format!("; saved: tilepack resume {}", save.file.display()),
+                _ => String::new(),
+            };
+            output::remark(&format!(
+                "stopped early by {}: {how_far}; {meaning}{saved}",
+                spoken(by)
+            ));
+        }
+        if let Some(Err(error)) = &self.saved {
+            output::remark(&format!("the last checkpoint was not saved: {error}"));
         }
     }
 
+    /// The exit code of an early end: it says that all is saved where asked.
+    pub fn stopped_exit(&self) -> Exit {
+        if matches!(self.saved, Some(Err(_))) { Exit::Bad } else { Exit::Stopped }
+    }
+
     /// The JSON fields that every search has.
-    pub fn fields(&self) -> [(&'static str, Value); 3] {
-        [
+    pub fn fields(&self) -> Vec<(&'static str, Value)> {
+        let mut fields = vec![
             ("nodes", json!(self.work.nodes.to_string())),
             ("seconds", json!(self.time.as_secs_f64())),
             ("stopped_by", json!(self.stopped.as_ref().map(|stopped| stopped.by))),
-        ]
+        ];
+        if let Some(saved) = &self.saved {
+            let file = saved.as_ref().ok().map(|save| save.file.to_string_lossy());
+            fields.push(("checkpoint", json!(file)));
+        }
+        fields
     }
 }
 

@@ -10,26 +10,34 @@
 //! * [`reduction`]: translations and the order of colors are removed before the search starts,
 //!   exactly, and multiplied back.
 //!
-//! [`Task`] states a question, [`dispatch`] makes it a problem, [`solve`] answers it.
+//! [`Task`] says which packings, [`Job`] what is asked about them; [`dispatch`] makes it a
+//! problem, [`standing`] runs it, also from where an earlier run stopped, and [`solve`] gives
+//! the answer.
 
 pub mod caps;
 pub mod corner;
 pub mod corner_plan;
 pub mod dispatch;
+pub mod frontier;
 mod impossible;
+pub mod job;
 pub mod quotient;
 pub mod reduction;
 pub mod ring;
 pub mod rule;
 pub mod sinks;
 pub mod solve;
+pub mod standing;
 pub mod table;
 pub mod task;
 pub mod wang;
 pub mod wang_plan;
 pub mod wang_rule;
 
+pub use frontier::{Cut, frontier};
+pub use job::{Job, Question};
 pub use solve::{Answer, Counted, Settings, count, find, list};
+pub use standing::{Keeper, Standing, run};
 pub use task::{MAX_SEARCH_COLORS, Task, TaskError};
 
 use crate::search::Problem;

@@ -5,40 +5,32 @@
 //! reduction left out; up to symmetry, canonical packings are counted and the sizes of their
 //! orbits must add up to the same number, or the count is refused.
 
-use super::dispatch::{Visitor, with_problem};
-use super::reduction::Reduction;
-use super::sinks::{Leaves, Purpose};
-use super::{Labeled, Task, TaskError};
-use crate::search::{self, Limits, Outcome, Plan, Progress, Values};
-use crate::symmetry::{Canonizer, Group, GroupError, orbits};
+use super::TaskError;
+use super::job::{Job, Question};
+use super::standing::{Keeper, Standing, run};
+use crate::search::{Effort, Limits, Progress, TrailError};
+use crate::symmetry::{Group, GroupError, orbits};
 use crate::tiles::TileError;
 use num_bigint::BigUint;
 use rayon::prelude::*;
 
-/// How to search.
+/// How to search, as far as it changes no answer.
 #[derive(Clone, Copy)]
 pub struct Settings<'a> {
     /// The number of threads.
     pub threads: usize,
-    /// When to stop early.
+    /// When to stop early; nodes are those visited from now on.
     pub limits: Limits<'a>,
     /// Called some twenty times a second.
     pub watch: &'a dyn Fn(&Progress),
-    /// The order in which the alternatives of a level are tried.
-    pub values: Values,
-    /// Whether symmetry may be removed before the search (the answer is the same).
-    pub reduce: bool,
+    /// Saves the search while it runs.
+    pub keeper: Option<&'a dyn Keeper>,
 }
 
 impl Settings<'_> {
-    /// One thread, no limits or reports, lexicographic order, reduced.
-    pub const PLAIN: Settings<'static> = Settings {
-        threads: 1,
-        limits: Limits::NONE,
-        watch: &|_| {},
-        values: Values::Lexicographic,
-        reduce: true,
-    };
+    /// One thread, no limits or reports, nothing saved.
+    pub const PLAIN: Settings<'static> =
+        Settings { threads: 1, limits: Limits::NONE, watch: &|_| {}, keeper: None };
 }
 
 /// What a search did.
@@ -74,6 +66,15 @@ pub struct Counted {
     pub up_to_translation: Option<BigUint>,
 }
 
+impl Counted {
+    /// None at all, which no search was needed to see.
+    pub fn nothing(job: &Job) -> Self {
+        let fundamental = job.up_to_symmetry().then_some(0);
+        let up_to_translation = Some(BigUint::ZERO);
+        Self { packings: BigUint::ZERO, fundamental, up_to_translation }
+    }
+}
+
 /// Why there is no answer.
 #[derive(Debug, thiserror::Error)]
 pub enum SolveError {
@@ -96,77 +97,102 @@ pub enum SolveError {
         /// By the orbits.
         orbits: BigUint,
     },
+    /// What is to be taken up again belongs to another search.
+    #[error("what was saved does not fit this search: {0}")]
+    Trail(#[from] TrailError),
     /// A tile set could not be made: an error in this program.
     #[error("internal error: {0}; please report this")]
     Tiles(#[from] TileError),
 }
 
-/// The labels of the first packing of the search, or `None` when there is none.
+/// The labels of the first packing of the search of a task or job, or `None` when there is none.
 ///
 /// The packing, and the number of nodes before it, do not depend on the number of threads,
 /// unless a limit ends the search first.
 ///
 /// # Errors
 /// When the task makes no sense.
-pub fn find(task: &Task, settings: &Settings<'_>) -> Result<Answer<Option<Vec<u8>>>, SolveError> {
-    let reduction = if settings.reduce { Reduction::full(task) } else { Reduction::none() };
-    let answer = run(task, &reduction, settings, Purpose::First)?;
-    let value = answer.value.found;
-    Ok(Answer { value, work: answer.work })
+pub fn find(
+    job: impl Into<Job>,
+    settings: &Settings<'_>,
+) -> Result<Answer<Option<Vec<u8>>>, SolveError> {
+    let job = Job { question: Question::First, ..job.into() };
+    let standing = run(&job, None, settings)?;
+    Ok(Answer { work: Work::of(&standing), value: standing.first().cloned() })
 }
 
-/// The number of packings.
+/// The number of packings of a task or job.
 ///
 /// # Errors
 /// When the task makes no sense, or has no orbits to count.
 pub fn count(
-    task: &Task,
+    job: impl Into<Job>,
     settings: &Settings<'_>,
     up_to_symmetry: bool,
 ) -> Result<Answer<Counted>, SolveError> {
-    let reduction = match (settings.reduce, up_to_symmetry) {
-        (false, _) => Reduction::none(),
-        (true, true) => Reduction::anchored(task),
-        (true, false) => Reduction::full(task),
-    };
-    let purpose = match up_to_symmetry {
-        true => orbits_of(task, &reduction, false)?,
-        false => Purpose::Count,
-    };
-    let answer = run(task, &reduction, settings, purpose)?;
-    let packings = reduction.packings(answer.value.met);
-    let complete = answer.work.complete;
-    if up_to_symmetry && complete && answer.value.leaves.orbit_sizes != packings {
-        let orbits = answer.value.leaves.orbit_sizes;
-        return Err(SolveError::Disagreement { direct: packings, orbits });
-    }
-    // No two translates agree: each tile (or one tile of a compact class) has one cell.
-    let free = !task.cover && !task.has_pins();
-    let up_to_translation = (free && complete).then(|| &packings / task.shape.cells());
-    let fundamental = up_to_symmetry.then_some(answer.value.leaves.orbits);
-    Ok(Answer { value: Counted { packings, fundamental, up_to_translation }, work: answer.work })
+    let job = Job { question: Question::Count { up_to_symmetry }, ..job.into() };
+    let standing = run(&job, None, settings)?;
+    Ok(Answer { value: counted(&job, &standing)?, work: Work::of(&standing) })
 }
 
-/// The labels of all packings, or of one canonical packing of every orbit, sorted.
+/// The labels of all packings of a task or job, or of one canonical packing of every orbit,
+/// sorted.
 ///
 /// They are held in memory: one byte a label each.
 ///
 /// # Errors
 /// When the task makes no sense, or has no orbits to count.
 pub fn list(
-    task: &Task,
+    job: impl Into<Job>,
     settings: &Settings<'_>,
     up_to_symmetry: bool,
 ) -> Result<Answer<Vec<Vec<u8>>>, SolveError> {
-    let reduction = if settings.reduce { Reduction::anchored(task) } else { Reduction::none() };
-    let purpose = match up_to_symmetry {
-        true => orbits_of(task, &reduction, true)?,
-        false => Purpose::Keep,
-    };
-    let answer = run(task, &reduction, settings, purpose)?;
-    let mut packings = answer.value.leaves.kept;
-    if !up_to_symmetry && !reduction.is_none() {
-        let translations = Group::translations(&task.set, task.shape);
+    let job = Job { question: Question::List { up_to_symmetry }, ..job.into() };
+    let mut standing = run(&job, None, settings)?;
+    let kept = std::mem::take(&mut standing.kept);
+    Ok(Answer { value: listed(&job, kept), work: Work::of(&standing) })
+}
+
+impl Standing {
+    /// The labels of the packing that ends the search; the first when the search is complete.
+    pub fn first(&self) -> Option<&Vec<u8>> {
+        self.state.best.as_ref().map(|best| &best.found)
+    }
+}
+
+impl Work {
+    /// The work that led to where a search stands.
+    pub fn of(standing: &Standing) -> Self {
+        let Effort { nodes, deepest, .. } = standing.state.effort();
+        Self { complete: standing.is_complete(), nodes, deepest, levels: standing.levels }
+    }
+}
+
+/// The number of packings, from what the search of a job met.
+///
+/// # Errors
+/// When the check by orbits fails, which is an error in this program.
+pub fn counted(job: &Job, standing: &Standing) -> Result<Counted, SolveError> {
+    let task = &job.task;
+    let packings = job.reduction().packings(standing.state.solutions);
+    // A part does not meet all translates that make up an orbit.
+    let whole = standing.is_complete() && job.part.is_none();
+    if job.up_to_symmetry() && whole && standing.orbit_sizes != packings {
+        let orbits = standing.orbit_sizes.clone();
+        return Err(SolveError::Disagreement { direct: packings, orbits });
+    }
+    // No two translates agree: each tile (or one tile of a compact class) has one cell.
+    let free = !task.cover && !task.has_pins();
+    let up_to_translation = (free && whole).then(|| &packings / task.shape.cells());
+    let fundamental = job.up_to_symmetry().then_some(standing.orbits);
+    Ok(Counted { packings, fundamental, up_to_translation })
+}
+
+/// The labels of all packings asked for, sorted, from those that the search of a job kept.
+pub fn listed(job: &Job, kept: Vec<Vec<u8>>) -> Vec<Vec<u8>> {
+    let mut packings = kept;
+    if !job.up_to_symmetry() && !job.reduction().is_none() {
+        let translations = Group::translations(&job.task.set, job.task.shape);
         packings = packings
             .par_iter()
             .flat_map_iter(|labels| orbits::expand(&translations, labels))
@@ -175,58 +201,5 @@ pub fn list(
     packings.par_sort_unstable();
     // A compact packing is met with either of its two windows at the origin.
     packings.dedup();
-    Ok(Answer { value: packings, work: answer.work })
-}
-
-fn orbits_of(task: &Task, reduction: &Reduction, keep: bool) -> Result<Purpose, SolveError> {
-    if task.has_pins() {
-        return Err(SolveError::PinnedOrbits);
-    }
-    task.check()?;
-    let group = Group::of(&task.set, task.shape, task.automorphism.as_ref())?;
-    let canonizer = Box::new(Canonizer::new(&group, reduction.anchor));
-    Ok(Purpose::Orbits { canonizer, keep })
-}
-
-/// What a run over a problem gives.
-struct Met {
-    found: Option<Vec<u8>>,
-    /// Solutions met.
-    met: u64,
-    leaves: Leaves,
-}
-
-fn run(
-    task: &Task,
-    reduction: &Reduction,
-    settings: &Settings<'_>,
-    purpose: Purpose,
-) -> Result<Answer<Met>, SolveError> {
-    with_problem(task, reduction, Search { settings, purpose })
-}
-
-/// A search waiting for its problem.
-struct Search<'a> {
-    settings: &'a Settings<'a>,
-    purpose: Purpose,
-}
-
-impl Visitor for Search<'_> {
-    type Output = Answer<Met>;
-
-    fn visit<P: Labeled>(self, problem: Option<P>) -> Result<Answer<Met>, SolveError> {
-        let Some(problem) = problem else {
-            let work = Work { complete: true, nodes: 0, deepest: 0, levels: 0 };
-            let leaves = Leaves::new(self.purpose);
-            return Ok(Answer { value: Met { found: None, met: 0, leaves }, work });
-        };
-        let Settings { threads, limits, watch, values, .. } = *self.settings;
-        let levels = problem.levels();
-        let plan = Plan { threads, limits, watch, ..Plan::whole(problem, values) };
-        let outcome: Outcome<_, Leaves, _> =
-            search::run(plan, || Leaves::new(self.purpose.clone()));
-        let Outcome { complete, found, nodes, solutions, deepest, sink, .. } = outcome;
-        let work = Work { complete, nodes, deepest, levels };
-        Ok(Answer { value: Met { found, met: solutions, leaves: sink }, work })
-    }
+    packings
 }

@@ -14,21 +14,27 @@
 
 pub mod alternatives;
 pub mod naive;
+pub mod part;
 pub mod path;
 pub mod pool;
 pub mod problem;
 pub mod progress;
 pub mod sink;
+pub mod state;
 pub mod stop;
+pub mod trail;
 pub mod values;
 pub mod walk;
 
 pub use alternatives::{Alternatives, Words};
+pub use part::{Frontier, InPart, Part, cut, frontier};
 pub use path::Path;
-pub use pool::{Outcome, Plan, run};
+pub use pool::{Plan, run};
 pub use problem::Problem;
 pub use progress::Progress;
 pub use sink::{Count, First, Sink};
+pub use state::{Best, Effort, Record, State};
 pub use stop::{Limits, Stop};
+pub use trail::{Trail, TrailError};
 pub use values::Values;
 pub use walk::{Slice, Walk};

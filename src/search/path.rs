@@ -32,6 +32,13 @@ impl<A: Alternatives> Path<A> {
         Self { level: 0, choices: vec![0; levels], left }
     }
 
+    /// The path with these choices made and these alternatives left, in a tree of so many levels.
+    pub(super) fn with(levels: usize, made: &[u32], left: Vec<A>) -> Self {
+        let mut choices = vec![0; levels];
+        choices[..made.len()].copy_from_slice(made);
+        Self { level: made.len(), choices, left }
+    }
+
     /// The number of choices made.
     pub fn level(&self) -> usize {
         self.level
@@ -95,6 +102,13 @@ impl<A: Alternatives> Path<A> {
         }
     }
 
+    /// Takes back what [`Path::replay`] did.
+    pub fn rewind<P: Problem<Alternatives = A>>(&self, problem: &mut P) {
+        for (level, &choice) in self.choices().iter().enumerate().rev() {
+            problem.pop(level, choice);
+        }
+    }
+
     /// The part of the whole tree still to visit, 0 to 1, if all alternatives of a node had
     /// equally large trees below them (Knuth's estimate of progress, exact at 0 and 1).
     ///
@@ -103,9 +117,7 @@ impl<A: Alternatives> Path<A> {
         if self.choices.is_empty() {
             return f64::from(u8::from(!self.is_exhausted()));
         }
-        for level in (0..self.level).rev() {
-            problem.pop(level, self.choices[level]);
-        }
+        self.rewind(problem);
         let (mut share, mut remaining) = (1.0, 0.0);
         for (level, left) in self.left().iter().enumerate() {
             let of = problem.alternatives(level).count();

@@ -7,15 +7,21 @@
 //! after it are dropped, those before it go on, and only what lies before the solution finally
 //! kept is counted.
 
-use super::{Alternatives, Limits, Path, Problem, Progress, Sink, Slice, Values, Walk};
+use super::state::is_before;
+use super::{Alternatives, Best, Limits, Path, Problem, Progress, Record, Sink, Slice};
+use super::{State, Values, Walk};
 use crossbeam::channel::{RecvTimeoutError, bounded};
 use crossbeam::deque::{Injector, Steal};
 use std::sync::atomic::{AtomicBool, AtomicU64, AtomicUsize, Ordering::SeqCst};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 use std::time::{Duration, Instant};
 
-/// Nodes between two looks at the other threads: well under a millisecond of work.
-const SLICE: u64 = 1 << 14;
+/// Nodes between two looks at the other threads, at first.
+const SLICE: u64 = 1 << 10;
+/// The most nodes between two looks.
+const LONGEST_SLICE: u64 = 1 << 14;
+/// The time that slices are made to take at most, so that a search that is to stop, stops soon.
+const SLICE_TIME: Duration = Duration::from_millis(2);
 /// Time between two looks at the limits and two reports of progress.
 const TICK: Duration = Duration::from_millis(50);
 /// Time an idle thread sleeps between two looks for work.
@@ -27,8 +33,6 @@ pub struct Plan<'a, P: Problem> {
     pub problem: P,
     /// The order of alternatives.
     pub values: Values,
-    /// What to visit: the root, or what an earlier search left.
-    pub paths: Vec<Path<P::Alternatives>>,
     /// The number of threads, at least 1.
     pub threads: usize,
     /// When to stop early.
@@ -38,45 +42,10 @@ pub struct Plan<'a, P: Problem> {
 }
 
 impl<P: Problem> Plan<'_, P> {
-    /// The whole tree of `problem`, on one thread, without limits or reports.
-    pub fn whole(mut problem: P, values: Values) -> Self {
-        let paths = vec![Path::root(&mut problem)];
-        Self { problem, values, paths, threads: 1, limits: Limits::NONE, watch: &|_| {} }
+    /// One thread, without limits or reports.
+    pub fn simple(problem: P, values: Values) -> Self {
+        Self { problem, values, threads: 1, limits: Limits::NONE, watch: &|_| {} }
     }
-}
-
-/// What a search came to.
-#[derive(Debug, Clone)]
-pub struct Outcome<A, S, F> {
-    /// Whether the answer is final: everything was visited, or the first solution found and
-    /// everything before it visited.
-    pub complete: bool,
-    /// The first solution at which the sink broke off; when not `complete`, the first known.
-    pub found: Option<F>,
-    /// Nodes visited (when complete: up to the solution found, whatever other threads did).
-    pub nodes: u64,
-    /// Solutions met.
-    pub solutions: u64,
-    /// The largest number of choices made at once.
-    pub deepest: usize,
-    /// What is left to visit: empty when complete.
-    pub left: Vec<Path<A>>,
-    /// The sinks of all threads joined.
-    pub sink: S,
-}
-
-/// What a part of the search did, and where it began.
-struct Part {
-    start: Vec<u32>,
-    nodes: u64,
-    solutions: u64,
-    deepest: usize,
-}
-
-/// The first solution so far.
-struct Best<F> {
-    choices: Vec<u32>,
-    found: F,
 }
 
 /// How much of the tree is still to visit (Knuth's measure): of the paths in the queue, and of
@@ -107,31 +76,38 @@ struct Shared<A, F> {
     found: AtomicUsize,
     left: Mutex<Vec<Path<A>>>,
     /// Kept only when a sink may break off.
-    parts: Mutex<Vec<Part>>,
+    records: Mutex<Vec<Record>>,
 }
 
-/// Searches; `sink` makes the sink of each thread.
+/// Searches on from `state`; `sink` makes the sink of each thread. Gives what the search then
+/// stands at, and the sinks of all threads joined.
 ///
 /// # Panics
 /// Only if the problem or the sink does; the panic of any thread is passed on.
-pub fn run<P, S>(plan: Plan<'_, P>, sink: impl Fn() -> S) -> Outcome<P::Alternatives, S, S::Found>
+pub fn run<P, S>(
+    plan: Plan<'_, P>,
+    state: State<Path<P::Alternatives>, S::Found>,
+    sink: impl Fn() -> S,
+) -> (State<Path<P::Alternatives>, S::Found>, S)
 where
     P: Problem,
     S: Sink<P>,
 {
     let begin = Instant::now();
     let threads = plan.threads.max(1);
-    let shared = Shared::new(&plan, threads);
+    let before = state.elapsed;
+    let shared = Shared::new(&plan, state, threads);
     let levels = plan.problem.levels();
     let (done, finished) = bounded::<()>(0);
     let mut joined = sink();
     std::thread::scope(|scope| {
         let mut handles = Vec::with_capacity(threads);
         for id in 0..threads {
-            let worker = Worker { id, shared: &shared, values: plan.values, tick: 0, found: 0 };
+            let (shared, values) = (&shared, plan.values);
+            let worker = Worker { id, shared, values, slice: SLICE, tick: 0, found: 0 };
             let (problem, sink, done) = (&plan.problem, sink(), done.clone());
             handles.push(scope.spawn(move || {
-                let _guard = StopOnPanic(&worker.shared.stop);
+                let _guard = StopOnPanic(&shared.stop);
                 // Dropped at the end, also by a panic: that wakes the caller.
                 let _done = done;
                 // Cloned by the thread itself, so that its memory is not shared with others'.
@@ -154,7 +130,7 @@ where
                 deepest: shared.deepest.load(SeqCst),
                 levels,
                 fraction,
-                elapsed: begin.elapsed(),
+                elapsed: before + begin.elapsed(),
             });
         }
         for handle in handles {
@@ -164,7 +140,7 @@ where
             }
         }
     });
-    shared.outcome(plan.values, joined)
+    (shared.state(plan.values, before + begin.elapsed()), joined)
 }
 
 /// Lets the other threads end when this one panics.
@@ -182,6 +158,8 @@ struct Worker<'a, A, F> {
     id: usize,
     shared: &'a Shared<A, F>,
     values: Values,
+    /// Nodes of its next slice.
+    slice: u64,
     /// The tick for which it last measured what remains.
     tick: usize,
     /// How many changes of the best solution it has seen in this part.
@@ -208,7 +186,7 @@ impl<A: Alternatives, F: Send> Worker<'_, A, F> {
                 self.walk_part(&mut walk, &mut sink, &start);
                 if sink.breaks() {
                     let (nodes, solutions, deepest) = (walk.nodes, walk.solutions, walk.deepest);
-                    lock(&shared.parts).push(Part { start, nodes, solutions, deepest });
+                    lock(&shared.records).push(Record { start, nodes, solutions, deepest });
                 }
             }
             // What a stop leaves behind has not been visited.
@@ -252,14 +230,20 @@ impl<A: Alternatives, F: Send> Worker<'_, A, F> {
     {
         let shared = self.shared;
         loop {
-            let budget = shared.claim();
+            let budget = shared.claim(self.slice);
             if budget == 0 || shared.stop.load(SeqCst) {
                 shared.budget.fetch_add(budget, SeqCst);
                 shared.stop.store(true, SeqCst);
                 return lock(&shared.left).push(walk.path().clone());
             }
             let (nodes, solutions) = (walk.nodes, walk.solutions);
+            let begin = Instant::now();
             let slice = walk.run(budget, sink);
+            self.slice = match begin.elapsed() {
+                time if time > SLICE_TIME => (self.slice / 2).max(1),
+                time if time < SLICE_TIME / 4 => (self.slice * 2).min(LONGEST_SLICE),
+                _ => self.slice,
+            };
             let spent = walk.nodes - nodes;
             shared.budget.fetch_add(budget - spent, SeqCst);
             shared.nodes.fetch_add(spent, SeqCst);
@@ -327,40 +311,42 @@ impl Remaining {
 }
 
 impl<A: Alternatives, F> Shared<A, F> {
-    fn new<P>(plan: &Plan<'_, P>, threads: usize) -> Self
+    fn new<P>(plan: &Plan<'_, P>, state: State<Path<A>, F>, threads: usize) -> Self
     where
         P: Problem<Alternatives = A>,
     {
         let queue = Injector::new();
-        let mut queued = 0.0;
-        for path in &plan.paths {
-            let (problem, values) = (plan.problem.clone(), plan.values);
-            let remaining = Walk::new(problem, values, path.clone()).remaining();
+        let (pending, mut queued) = (state.left.len(), 0.0);
+        let mut problem = plan.problem.clone();
+        for path in state.left {
+            path.replay(&mut problem);
+            let remaining = path.remaining(&mut problem);
+            path.rewind(&mut problem);
             queued += remaining;
-            queue.push((path.clone(), remaining));
+            queue.push((path, remaining));
         }
         Self {
             queue,
-            pending: AtomicUsize::new(plan.paths.len()),
+            pending: AtomicUsize::new(pending),
             hungry: AtomicUsize::new(0),
             stop: AtomicBool::new(false),
             budget: AtomicU64::new(plan.limits.nodes),
-            nodes: AtomicU64::new(0),
-            solutions: AtomicU64::new(0),
-            deepest: AtomicUsize::new(0),
+            nodes: AtomicU64::new(state.nodes),
+            solutions: AtomicU64::new(state.solutions),
+            deepest: AtomicUsize::new(state.deepest),
             tick: AtomicUsize::new(0),
             remaining: Mutex::new(Remaining { queued, walked: vec![0.0; threads] }),
-            best: Mutex::new(None),
-            found: AtomicUsize::new(0),
+            found: AtomicUsize::new(usize::from(state.best.is_some())),
+            best: Mutex::new(state.best),
             left: Mutex::new(Vec::new()),
-            parts: Mutex::new(Vec::new()),
+            records: Mutex::new(state.records),
         }
     }
 
-    /// Takes nodes for one slice from the budget; 0 when it is used up.
-    fn claim(&self) -> u64 {
-        let take = |left: u64| Some(left - left.min(SLICE));
-        self.budget.fetch_update(SeqCst, SeqCst, take).unwrap_or(0).min(SLICE)
+    /// Takes the nodes of one slice from the budget; 0 when it is used up.
+    fn claim(&self, slice: u64) -> u64 {
+        let take = |left: u64| Some(left - left.min(slice));
+        self.budget.fetch_update(SeqCst, SeqCst, take).unwrap_or(0).min(slice)
     }
 
     /// Keeps a solution if it is the first so far.
@@ -372,43 +358,24 @@ impl<A: Alternatives, F> Shared<A, F> {
         }
     }
 
-    fn outcome<S>(self, values: Values, sink: S) -> Outcome<A, S, F> {
+    /// What the search stands at after `elapsed`.
+    fn state(self, values: Values, elapsed: Duration) -> State<Path<A>, F> {
         let mut left = into_inner(self.left);
         while let Steal::Success((path, _)) = self.queue.steal() {
             left.push(path);
         }
-        left.retain(|path| !path.is_exhausted());
-        let mut outcome = Outcome {
-            complete: left.is_empty(),
-            found: None,
+        let mut state = State {
+            left,
             nodes: self.nodes.into_inner(),
             solutions: self.solutions.into_inner(),
             deepest: self.deepest.into_inner(),
-            left,
-            sink,
+            best: into_inner(self.best),
+            records: into_inner(self.records),
+            elapsed,
         };
-        if let Some(best) = into_inner(self.best) {
-            let counts = |start: &[u32]| !is_before(values, &best.choices, start);
-            outcome.left.retain(|path| counts(&path.start(values)));
-            outcome.complete = outcome.left.is_empty();
-            if outcome.complete {
-                let parts = into_inner(self.parts);
-                let parts = || parts.iter().filter(|part| counts(&part.start));
-                outcome.nodes = parts().map(|part| part.nodes).sum();
-                outcome.solutions = parts().map(|part| part.solutions).sum();
-                outcome.deepest = parts().map(|part| part.deepest).max().unwrap_or(0);
-            }
-            outcome.found = Some(best.found);
-        }
-        outcome
+        state.tidy(values);
+        state
     }
-}
-
-/// Whether the choices `a` come before the choices `b` in the walk; where one continues the
-/// other they do not come before each other.
-fn is_before(values: Values, a: &[u32], b: &[u32]) -> bool {
-    let differ = a.iter().zip(b).enumerate().find(|(_, (a, b))| a != b);
-    differ.is_some_and(|(level, (&a, &b))| values.before(level, a, b))
 }
 
 /// Locks even after a panic of another thread, which is passed on at the end anyway.

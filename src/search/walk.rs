@@ -67,9 +67,7 @@ impl<P: Problem> Walk<P> {
 
     /// Exchanges the path; gives back the old one.
     pub fn change(&mut self, path: Path<P::Alternatives>) -> Path<P::Alternatives> {
-        for (level, &choice) in self.path.choices().iter().enumerate().rev() {
-            self.problem.pop(level, choice);
-        }
+        self.path.rewind(&mut self.problem);
         path.replay(&mut self.problem);
         std::mem::replace(&mut self.path, path)
     }

@@ -57,16 +57,32 @@ impl AtomicFile {
     /// When that fails; the target is then as it was before.
     pub fn commit(self) -> Result<(), StoreError> {
         let Self { file, out } = self;
-        finish(out).map_err(|error| unwritable(&file, &error))
+        finish(out, None).map_err(|error| unwritable(&file, &error))
+    }
+
+    /// The same, but the file replaced, if there is one, is kept under another name in the same
+    /// folder. Between the two steps there is only that other name.
+    ///
+    /// # Errors
+    /// When that fails; what was there is there, under one name or the other.
+    pub fn commit_keeping(self, old: &Path) -> Result<(), StoreError> {
+        let Self { file, out } = self;
+        finish(out, Some(old)).map_err(|error| unwritable(&file, &error))
     }
 }
 
-fn finish(out: Out) -> io::Result<()> {
+fn finish(out: Out, old: Option<&Path>) -> io::Result<()> {
     match out {
         Out::Direct(mut out) => out.flush(),
         Out::Temporary(out, path) => {
             let temporary = out.into_inner().map_err(io::IntoInnerError::into_error)?;
             temporary.as_file().sync_all()?;
+            if let Some(old) = old {
+                match fs::rename(&path, old) {
+                    Err(error) if error.kind() != io::ErrorKind::NotFound => return Err(error),
+                    _ => {}
+                }
+            }
             temporary.persist(&path).map_err(|error| error.error)?;
             sync_folder(folder(&path));
             Ok(())

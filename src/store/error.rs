@@ -74,6 +74,14 @@ pub enum StoreError {
         /// What is wrong and what was expected.
         message: String,
     },
+    /// Another process works on it.
+    #[error("{}: another process is at work on it (it has locked {})", .file.display(), .lock.display())]
+    Locked {
+        /// The path.
+        file: PathBuf,
+        /// The file that is locked.
+        lock: PathBuf,
+    },
     /// The file cannot be written.
     #[error("{}: cannot be written: {message}", .file.display())]
     Unwritable {
@@ -96,6 +104,7 @@ impl StoreError {
             | StoreError::Syntax { file, .. }
             | StoreError::Cell { file, .. }
             | StoreError::Content { file, .. }
+            | StoreError::Locked { file, .. }
             | StoreError::Unwritable { file, .. } => file,
         }
     }

@@ -8,27 +8,56 @@
 //! * [`solutions()`] reads packings from solution JSON, JSON lines and text grids;
 //! * [`read_pins`] reads cells given beforehand, [`read_tile_set`] a set of tiles;
 //! * [`write_solution`], [`write_grid`] and [`write_tile_set`] are their inverses;
-//! * [`AtomicFile`] and [`check_writable`] see to it that a result is not lost.
+//! * [`AtomicFile`] and [`check_writable`] see to it that a result is not lost;
+//! * [`Keeping`] saves a search while it runs, [`read_checkpoint`] finds it again, a [`Lock`]
+//!   keeps others away meanwhile;
+//! * [`SearchPlan`] and [`PartResult`] are a search in parts;
+//! * [`write_job`] puts a search in words, [`fingerprint`] identifies it.
 //!
 //! The formats are described, with examples, in `docs/formats.md`.
 
 mod atomic;
+mod checkpoint;
 mod claim;
+mod codec;
 mod error;
+mod frame;
 mod grid;
+mod job;
 mod json;
+mod keeping;
+mod kept;
+mod lock;
 mod pins;
+mod plan;
 mod read;
+mod sealed;
 mod solution;
 mod solutions;
 mod tile_set;
 
 pub use atomic::{AtomicFile, check_writable, write_file};
+pub use checkpoint::{Checkpoint, Opened, previous, read_checkpoint, set_aside, write_checkpoint};
 pub use claim::Claim;
 pub use error::StoreError;
 pub use grid::write_grid;
+pub use job::{fingerprint, read_job, write_job};
+pub use keeping::{Keeping, Report, Writer, Written};
+pub use kept::{Extent, Kept};
+pub use lock::Lock;
 pub use pins::read_pins;
+pub use plan::{PartFiles, PartResult, SearchPlan};
 pub use read::{Input, MAX_BYTES};
+pub use sealed::hexadecimal;
 pub use solution::{FORMAT, Layout, Solution, write_solution};
 pub use solutions::{Solutions, read_solution, solutions};
 pub use tile_set::{NamedSet, read_tile_set, write_tile_set};
+
+use std::path::{Path, PathBuf};
+
+/// The name of a file that belongs to another: the same with something at its end.
+pub fn beside(file: &Path, end: &str) -> PathBuf {
+    let mut name = file.as_os_str().to_owned();
+    name.push(end);
+    name.into()
+}

@@ -10,6 +10,7 @@
 use super::ColorMap;
 use crate::tiles::{Colors, Kind, Members, TileSet};
 use crate::torus::Shape;
+use std::fmt;
 
 /// A translation joined with a permutation of the colors.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -182,6 +183,16 @@ fn parse_map(text: &str, permutation: &str, colors: Colors) -> Result<ColorMap, 
     let (h, v) = permutation.split_once('/').unwrap_or((permutation, permutation));
     let (h, v) = (list(h, colors.horizontal())?, list(v, colors.vertical())?);
     ColorMap::new(colors, h, v).ok_or_else(wrong)
+}
+
+/// The form that [`Automorphism::parse`] reads, with the images of all colors written out.
+impl fmt::Display for Automorphism {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let list = |images: &[u8]| images.iter().map(u8::to_string).collect::<Vec<_>>().join(",");
+        let (horizontal, vertical) = (list(self.map.horizontal()), list(self.map.vertical()));
+        write!(f, "{},{}:{horizontal}", self.dx, self.dy)?;
+        if vertical == horizontal { Ok(()) } else { write!(f, "/{vertical}") }
+    }
 }
 
 /// The greatest common divisor; `gcd(0, n) = n`.

@@ -3,7 +3,7 @@
 //! spanning trees toward a root. It counts sets with hundreds of tiles, far beyond the oracle.
 
 use proptest::prelude::*;
-use tilepack::packing::{Settings, Task, count};
+use tilepack::packing::{Job, Settings, Task, count};
 use tilepack::search::Limits;
 use tilepack::tiles::{Color, Colors, Domino, Kind, Members, TileSet, Wang};
 use tilepack::torus::Shape;
@@ -118,8 +118,9 @@ proptest! {
         let what = format!("{arcs:?} {width}x{height} {kind}");
         let limits = Limits { nodes: 500_000, ..Limits::NONE };
         for (reduce, threads) in [(true, 1), (true, 3), (false, 2)] {
-            let settings = Settings { limits, reduce, threads, ..Settings::PLAIN };
-            let counted = count(&task, &settings, false).unwrap();
+            let settings = Settings { limits, threads, ..Settings::PLAIN };
+            let job = Job { reduce, ..Job::from(&task) };
+            let counted = count(job, &settings, false).unwrap();
             // Some have too many dead ends.
             if counted.work.complete {
                 let rings = counted.value.up_to_translation.unwrap();

@@ -4,7 +4,7 @@
 use crate::oracle;
 use std::collections::BTreeMap;
 use tilepack::packing::solve::SolveError;
-use tilepack::packing::{Answer, Settings, Task, TaskError, count, find, list};
+use tilepack::packing::{Answer, Job, Settings, Task, TaskError, count, find, list};
 use tilepack::search::Values;
 use tilepack::symmetry::{Group, burnside};
 use tilepack::torus::Order;
@@ -35,12 +35,12 @@ const PLAIN: Engine =
 
 impl Engine {
     pub(crate) fn settings(self) -> Settings<'static> {
-        let Self { values, threads, reduce, .. } = self;
-        Settings { values, threads, reduce, ..Settings::PLAIN }
+        Settings { threads: self.threads, ..Settings::PLAIN }
     }
 
-    pub(crate) fn task(self, task: &Task) -> Task {
-        Task { order: self.order, ..task.clone() }
+    pub(crate) fn job(self, task: &Task) -> Job {
+        let Self { values, reduce, order, .. } = self;
+        Job { values, reduce, ..Job::from(&Task { order, ..task.clone() }) }
     }
 }
 
@@ -89,7 +89,7 @@ pub(crate) fn agreed_count(task: &Task, effort: Effort, what: &str) -> u64 {
     let mut agreed = None;
     let mut trees = BTreeMap::new();
     for engine in engines(effort) {
-        let counted = count(&engine.task(task), &engine.settings(), false);
+        let counted = count(engine.job(task), &engine.settings(), false);
         let (packings, work) = match answer(counted, task, what) {
             None => (0, None),
             Some(counted) => {
@@ -114,7 +114,7 @@ pub(crate) fn verify(task: &Task, labels: &[u8], what: &str) {
 pub(crate) fn check_first(task: &Task, exists: bool, effort: Effort, what: &str) {
     let mut firsts = BTreeMap::new();
     for engine in engines(effort) {
-        let found = find(&engine.task(task), &engine.settings());
+        let found = find(engine.job(task), &engine.settings());
         let Some(found) = answer(found, task, what) else {
             assert!(!exists, "{what}");
             continue;
@@ -134,7 +134,7 @@ pub(crate) fn check_first(task: &Task, exists: bool, effort: Effort, what: &str)
 pub(crate) fn agreed_list(task: &Task, effort: Effort, what: &str) -> Vec<Vec<u8>> {
     let mut agreed: Option<Vec<Vec<u8>>> = None;
     for engine in engines(effort) {
-        let listed = list(&engine.task(task), &engine.settings(), false);
+        let listed = list(engine.job(task), &engine.settings(), false);
         let listed = answer(listed, task, what).map_or_else(Vec::new, |answer| answer.value);
         match &agreed {
             Some(first) => assert!(listed == *first, "list: {what} {engine:?}"),
@@ -153,13 +153,13 @@ pub(crate) fn agreed_orbits(task: &Task, effort: Effort, what: &str) -> u64 {
     let mut agreed = None;
     let mut forms: Option<Vec<Vec<u8>>> = None;
     for engine in engines(effort) {
-        let task = engine.task(task);
-        let counted = count(&task, &engine.settings(), true).unwrap().value;
+        let job = engine.job(task);
+        let counted = count(job.clone(), &engine.settings(), true).unwrap().value;
         let orbits = counted.fundamental.unwrap();
         assert_eq!(orbits, *agreed.get_or_insert(orbits), "{what} {engine:?}");
-        let listed = list(&task, &engine.settings(), true).unwrap().value;
+        let listed = list(job, &engine.settings(), true).unwrap().value;
         assert_eq!(listed.len() as u64, orbits, "{what} {engine:?}");
-        listed.iter().for_each(|labels| verify(&task, labels, what));
+        listed.iter().for_each(|labels| verify(task, labels, what));
         // The representative depends on what the reduction puts at the origin.
         if engine.reduce {
             assert!(*forms.get_or_insert(listed.clone()) == listed, "{what} {engine:?}");

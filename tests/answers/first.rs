@@ -4,20 +4,24 @@
 
 use crate::engines::verify;
 use crate::table::Words;
-use tilepack::packing::{Settings, Task, find};
+use tilepack::packing::{Job, Settings, Task, find};
 use tilepack::search::{Limits, Values};
 use tilepack::torus::Order;
 
-fn settings(values: Values, threads: usize) -> Settings<'static> {
-    Settings { values, threads, ..Settings::PLAIN }
+fn settings(threads: usize) -> Settings<'static> {
+    Settings { threads, ..Settings::PLAIN }
+}
+
+fn job(task: &Task, values: Values) -> Job {
+    Job { values, ..Job::from(task) }
 }
 
 fn first(task: &Task, values: Values, what: &str) -> u64 {
-    let one = find(task, &settings(values, 1)).unwrap();
+    let one = find(job(task, values), &settings(1)).unwrap();
     let labels = one.value.as_ref().unwrap();
     verify(task, labels, what);
     for threads in [2, 3, 8] {
-        let several = find(task, &settings(values, threads)).unwrap();
+        let several = find(job(task, values), &settings(threads)).unwrap();
         assert_eq!(several, one, "{what}, {threads} threads");
     }
     one.work.nodes
@@ -74,7 +78,7 @@ fn larger_sets() {
     ] {
         let task = words.task();
         let limits = Limits { nodes: 1_000_000, ..Limits::NONE };
-        let found = find(&task, &Settings { limits, ..settings(values, 1) }).unwrap();
+        let found = find(job(&task, values), &Settings { limits, ..settings(1) }).unwrap();
         verify(&task, &found.value.unwrap(), &format!("{words:?}"));
     }
 }

@@ -8,7 +8,7 @@ use crate::table::Words;
 use proptest::prelude::*;
 use proptest::sample::select;
 use std::sync::OnceLock;
-use tilepack::packing::{Settings, Task, find};
+use tilepack::packing::{Job, Settings, Task, find};
 use tilepack::search::{Limits, Values};
 use tilepack::torus::Pins;
 
@@ -46,7 +46,8 @@ fn packings() -> &'static [(Words<'static>, Task, Vec<u8>)] {
             let limits = Limits { nodes: 300_000, ..Limits::NONE };
             let labels = (0..200).find_map(|seed| {
                 let values = Values::Random(seed);
-                find(&task, &Settings { values, limits, ..Settings::PLAIN }).unwrap().value
+                let job = Job { values, ..Job::from(&task) };
+                find(job, &Settings { limits, ..Settings::PLAIN }).unwrap().value
             });
             (words, task, labels.unwrap_or_else(|| panic!("{words:?}: none found")))
         });

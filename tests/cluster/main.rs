@@ -30,9 +30,6 @@ const PARTS: u64 = 16;
 
 /// The program under test.
 const PROGRAM: &str = env!("CARGO_BIN_EXE_tilepack");
-    Some(p) => p,
-    None => env!("CARGO_BIN_EXE_tilepack"),
-};
 
 /// A folder with a plan, and a name that a script has to quote.
 struct Place(TempDir);

@@ -5,7 +5,7 @@
 
 use crate::problems::{SMALL, Visitor, mix, task, with_problem};
 use tilepack::packing::Labeled;
-use tilepack::search::{Alternatives, Count, Plan, Values, run};
+use tilepack::search::{Alternatives, Count, Plan, State, Values, run};
 
 struct RandomWalks {
     what: String,
@@ -120,9 +120,10 @@ struct Totals(Vec<(u64, u64, usize)>);
 
 impl Visitor for Totals {
     fn visit<P: Labeled>(&mut self, problem: P) {
-        let outcome = run(Plan::whole(problem, Values::Lexicographic), || Count);
-        assert!(outcome.complete && outcome.left.is_empty());
-        self.0.push((outcome.nodes, outcome.solutions, outcome.deepest));
+        let whole = State::whole(&mut problem.clone());
+        let (state, _) = run(Plan::simple(problem, Values::Lexicographic), whole, || Count);
+        assert!(state.is_complete());
+        self.0.push((state.nodes, state.solutions, state.deepest));
     }
 }
 

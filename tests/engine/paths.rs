@@ -3,7 +3,9 @@
 use crate::problems::{Tree, irregular, mix};
 use std::cell::RefCell;
 use std::ops::ControlFlow;
-use tilepack::search::{Count, Limits, Path, Plan, Sink, Slice, Values, Walk, Words, run};
+use tilepack::search::{
+    Count, First, Limits, Path, Plan, Sink, Slice, State, Values, Walk, Words, run,
+};
 
 /// Keeps all solutions.
 #[derive(Default)]
@@ -146,32 +148,41 @@ fn starts_are_the_next_nodes() {
     }
 }
 
+/// Searches all of a small tree.
+fn searched<S: Sink<Tree>>(
+    tree: Tree,
+    threads: usize,
+    limits: Limits<'_>,
+    sink: fn() -> S,
+) -> (State<Path<Words<1>>, S::Found>, S) {
+    let whole = State::whole(&mut tree.clone());
+    let plan = Plan { threads, limits, ..Plan::simple(tree, Values::Lexicographic) };
+    run(plan, whole, sink)
+}
+
 #[test]
 fn a_problem_without_levels_has_one_solution() {
+    let tree = || Tree::new(0, |_| 0);
     for threads in [1, 2, 8] {
-        let plan = Plan { threads, ..Plan::whole(Tree::new(0, |_| 0), Values::Lexicographic) };
-        let outcome = run(plan, All::default);
-        assert!(outcome.complete && outcome.left.is_empty());
-        assert_eq!((outcome.nodes, outcome.solutions, outcome.deepest), (0, 1, 0));
-        assert_eq!(outcome.sink.0, [Vec::<u32>::new()]);
-        let plan = Plan { threads, ..Plan::whole(Tree::new(0, |_| 0), Values::Lexicographic) };
-        let outcome = run(plan, || tilepack::search::First);
-        assert!(outcome.complete);
-        assert_eq!(outcome.found, Some(Vec::new()));
+        let (state, all) = searched(tree(), threads, Limits::NONE, All::default);
+        assert!(state.is_complete());
+        assert_eq!((state.nodes, state.solutions, state.deepest), (0, 1, 0));
+        assert_eq!(all.0, [Vec::<u32>::new()]);
+        let (state, _) = searched(tree(), threads, Limits::NONE, || First);
+        assert!(state.is_complete());
+        assert_eq!(state.best.map(|best| best.found), Some(Vec::new()));
     }
     // Nothing is visited under a limit of no nodes, and nothing lost.
     let limits = Limits { nodes: 0, ..Limits::NONE };
-    let plan = Plan { limits, ..Plan::whole(Tree::new(0, |_| 0), Values::Lexicographic) };
-    let outcome = run(plan, || Count);
-    assert_eq!(outcome.solutions + outcome.left.len() as u64, 1);
+    let (state, _) = searched(tree(), 1, limits, || Count);
+    assert_eq!(state.solutions + state.left.len() as u64, 1);
 }
 
 #[test]
 fn a_problem_without_alternatives_has_none() {
     for threads in [1, 8] {
-        let plan = Plan { threads, ..Plan::whole(Tree::new(3, |_| 0), Values::Lexicographic) };
-        let outcome = run(plan, || Count);
-        assert!(outcome.complete);
-        assert_eq!((outcome.nodes, outcome.solutions, outcome.deepest), (0, 0, 0));
+        let (state, _) = searched(Tree::new(3, |_| 0), threads, Limits::NONE, || Count);
+        assert!(state.is_complete());
+        assert_eq!((state.nodes, state.solutions, state.deepest), (0, 0, 0));
     }
 }

@@ -5,21 +5,28 @@ use crate::problems::{Tree, Visitor, irregular, mix, task, with_problem};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
 use tilepack::packing::Labeled;
-use tilepack::search::{Count, First, Limits, Path, Plan, Problem, Progress, Stop, Values, run};
+use tilepack::search::{
+    Count, Effort, First, Limits, Path, Plan, Problem, Progress, State, Stop, Trail, TrailError,
+    Values, run,
+};
 
-fn plan<P: Problem>(
-    problem: &P,
-    values: Values,
-    paths: Vec<Path<P::Alternatives>>,
-    threads: usize,
-    nodes: u64,
-) -> Plan<'static, P> {
+fn plan<P: Problem>(problem: &P, values: Values, threads: usize, nodes: u64) -> Plan<'static, P> {
     let limits = Limits { nodes, ..Limits::NONE };
-    Plan { paths, threads, limits, ..Plan::whole(problem.clone(), values) }
+    Plan { threads, limits, ..Plan::simple(problem.clone(), values) }
 }
 
-fn root<P: Problem>(problem: &P) -> Vec<Path<P::Alternatives>> {
-    vec![Path::root(&mut problem.clone())]
+/// What a search stands at, as a file would bring it back: in plain numbers and checked.
+fn saved<P: Problem, F>(
+    problem: &P,
+    state: State<Path<P::Alternatives>, F>,
+) -> State<Path<P::Alternatives>, F> {
+    let mut problem = problem.clone();
+    let again = |path: Path<_>| {
+        let again = Trail::of(&path).path(&mut problem)?;
+        assert_eq!(again, path);
+        Ok::<_, TrailError>(again)
+    };
+    state.try_map(again).unwrap()
 }
 
 /// Runs a search in pieces of so many nodes on so many threads; nodes and sorted solutions.
@@ -28,21 +35,22 @@ fn in_pieces<P: Problem>(
     values: Values,
     pieces: impl Iterator<Item = (u64, usize)>,
 ) -> (u64, Vec<Vec<u32>>) {
-    let (mut nodes, mut solutions) = (0, Vec::new());
-    let mut paths = root(problem);
+    let mut solutions = Vec::new();
+    let mut state = State::whole(&mut problem.clone());
     for (piece, threads) in pieces {
-        let outcome = run(plan(problem, values, paths, threads, piece), All::default);
-        assert!(outcome.nodes <= piece);
-        assert!(threads > 1 || outcome.complete || outcome.nodes == piece, "exact on one thread");
-        assert_eq!(outcome.solutions, outcome.sink.0.len() as u64);
-        assert_eq!(outcome.complete, outcome.left.is_empty());
-        nodes += outcome.nodes;
-        solutions.extend(outcome.sink.0);
-        paths = outcome.left;
-        if paths.is_empty() {
+        let before = state.nodes;
+        let all;
+        (state, all) = run(plan(problem, values, threads, piece), state, All::default);
+        let visited = state.nodes - before;
+        assert!(visited <= piece);
+        assert!(threads > 1 || state.is_complete() || visited == piece, "exact on one thread");
+        solutions.extend(all.0);
+        assert_eq!(state.solutions, solutions.len() as u64);
+        if state.is_complete() {
             solutions.sort_unstable();
-            return (nodes, solutions);
+            return (state.effort().nodes, solutions);
         }
+        state = saved(problem, state);
     }
     panic!("the pieces end before the search");
 }
@@ -117,23 +125,20 @@ fn cut_packing_problems() {
     with_problem(&task(["wang", "2", "complete", "4x4", ""]), true, &mut Cuts);
 }
 
-/// Looks for the first solution in pieces; the nodes of all, and the solution.
+/// Looks for the first solution in pieces; the work before it, and the solution.
 fn first_in_pieces(
     tree: &Tree,
     values: Values,
     pieces: impl Iterator<Item = (u64, usize)>,
-) -> (u64, Option<Vec<u32>>) {
-    let (mut nodes, mut best) = (0, None);
-    let mut paths = root(tree);
+) -> (Effort, Option<Vec<u32>>) {
+    let mut state = State::whole(&mut tree.clone());
     for (piece, threads) in pieces {
-        let outcome = run(plan(tree, values, paths, threads, piece), || First);
-        nodes += outcome.nodes;
-        // What is left lies before what was found, so what is found later is better.
-        best = outcome.found.or(best);
-        paths = outcome.left;
-        if outcome.complete {
-            return (nodes, best);
+        (state, _) = run(plan(tree, values, threads, piece), state, || First);
+        assert!(state.records.len() <= state.left.len() + 1, "{state:?}");
+        if state.is_complete() {
+            return (state.effort(), state.best.map(|best| best.found));
         }
+        state = saved(tree, state);
     }
     panic!("the pieces end before the search");
 }
@@ -159,10 +164,9 @@ fn the_first_solution_in_pieces() {
             let draw = |i: u64| mix(mix(seed) + i) >> 8;
             let alone = (0..).map(|i| (draw(i) % 30_000 + 1, 1));
             assert_eq!(first_in_pieces(&tree, values, alone), whole, "nodes and solution");
-            // Several threads also visit nodes behind the solution, which only a search that
-            // ends in one piece can leave out.
+            // Several threads also visit nodes behind the solution; they do not count.
             let several = (0..).map(|i| (draw(i) % 60_000 + 1, [2, 3, 8][(draw(i) % 3) as usize]));
-            assert_eq!(first_in_pieces(&tree, values, several).1, whole.1);
+            assert_eq!(first_in_pieces(&tree, values, several), whole, "{seed}");
         }
     }
 }
@@ -195,10 +199,11 @@ fn a_flag_stops_a_long_search_at_once() {
         let limits = Limits { stop: &stop, nodes: u64::MAX };
         let tree = Tree::new(30, endless);
         let plan =
-            Plan { threads, limits, watch: &watch, ..Plan::whole(tree, Values::Lexicographic) };
-        let outcome = run(plan, || Count);
+            Plan { threads, limits, watch: &watch, ..Plan::simple(tree, Values::Lexicographic) };
+        let whole = State::whole(&mut plan.problem.clone());
+        let (state, _) = run(plan, whole, || Count);
         assert!(set.elapsed() < Duration::from_secs(1), "{:?}", set.elapsed());
-        assert!(!outcome.complete && !outcome.left.is_empty() && outcome.nodes > 0);
+        assert!(!state.is_complete() && state.nodes > 0);
     }
 }
 
@@ -207,9 +212,10 @@ fn a_deadline_stops_too() {
     let deadline = Instant::now() + Duration::from_millis(100);
     let limits = Limits { stop: &deadline, nodes: u64::MAX };
     let plan =
-        Plan { limits, threads: 2, ..Plan::whole(Tree::new(30, endless), Values::Random(1)) };
-    let outcome = run(plan, || Count);
-    assert!(!outcome.complete && deadline.elapsed() < Duration::from_secs(1));
+        Plan { limits, threads: 2, ..Plan::simple(Tree::new(30, endless), Values::Random(1)) };
+    let whole = State::whole(&mut plan.problem.clone());
+    let (state, _) = run(plan, whole, || Count);
+    assert!(!state.is_complete() && deadline.elapsed() < Duration::from_secs(1));
 }
 
 /// A search of a few million nodes, stopped by a flag and completed.
@@ -219,19 +225,19 @@ fn what_a_stopped_search_leaves_completes_it() {
     impl Visitor for Stopped {
         fn visit<P: Labeled>(&mut self, problem: P) {
             let values = Values::Lexicographic;
-            let whole = run(plan(&problem, values, root(&problem), 1, u64::MAX), || Count);
+            let root = || State::whole(&mut problem.clone());
+            let (whole, _) = run(plan(&problem, values, 1, u64::MAX), root(), || Count);
             for threads in [1, 2, 3, 8] {
                 let flag = AtomicBool::new(false);
                 let watch = |_: &Progress| flag.store(true, Ordering::SeqCst);
                 let limits = Limits { stop: &flag, nodes: u64::MAX };
-                let all = plan(&problem, values, root(&problem), threads, u64::MAX);
-                let part = run(Plan { limits, watch: &watch, ..all }, || Count);
-                let rest = plan(&problem, values, part.left, 9 - threads, u64::MAX);
-                let rest = run(rest, || Count);
-                assert!(rest.complete);
-                assert_eq!(part.nodes + rest.nodes, whole.nodes, "{threads}");
-                assert_eq!(part.solutions + rest.solutions, whole.solutions, "{threads}");
-                assert_eq!(part.deepest.max(rest.deepest), whole.deepest);
+                let all = plan(&problem, values, threads, u64::MAX);
+                let (part, _) = run(Plan { limits, watch: &watch, ..all }, root(), || Count);
+                let before = part.elapsed;
+                let rest = plan(&problem, values, 9 - threads, u64::MAX);
+                let (rest, _) = run(rest, saved(&problem, part), || Count);
+                assert!(rest.is_complete() && rest.elapsed >= before);
+                assert_eq!(rest.effort(), whole.effort(), "{threads}");
             }
         }
     }

@@ -6,10 +6,27 @@ use std::ops::ControlFlow;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::time::{Duration, Instant};
-use tilepack::search::{Count, First, Limits, Plan, Problem, Progress, Sink, Stop, Values, run};
+use tilepack::search::{
+    self, Count, Effort, First, Limits, Path, Plan, Problem, Progress, Sink, State, Stop, Values,
+    Words,
+};
+
+/// Searches the whole tree of a plan.
+fn run<S: Sink<Tree>>(
+    plan: Plan<'_, Tree>,
+    sink: impl Fn() -> S,
+) -> (State<Path<Words<1>>, S::Found>, S) {
+    let whole = State::whole(&mut plan.problem.clone());
+    search::run(plan, whole, sink)
+}
+
+fn figures<T, F>(state: &State<T, F>) -> Effort {
+    assert!(state.is_complete());
+    state.effort()
+}
 
 fn plan(tree: Tree, values: Values, threads: usize) -> Plan<'static, Tree> {
-    Plan { threads, ..Plan::whole(tree, values) }
+    Plan { threads, ..Plan::simple(tree, values) }
 }
 
 /// Takes long in some subtrees, so that threads overtake each other.
@@ -39,16 +56,14 @@ fn rare(choices: &[u32]) -> u64 {
 #[test]
 fn counts_and_lists_do_not_depend_on_threads() {
     for values in [Values::Lexicographic, Values::Random(1)] {
-        let one = run(plan(Tree::new(13, irregular), values, 1), All::default);
-        let mut solutions = one.sink.0;
+        let (one, all) = run(plan(Tree::new(13, irregular), values, 1), All::default);
+        let mut solutions = all.0;
         solutions.sort_unstable();
         for threads in [2, 3, 8, 8, 8] {
             let tree = Tree { at: dawdle, ..Tree::new(13, irregular) };
-            let several = run(plan(tree, values, threads), All::default);
-            assert!(several.complete);
-            let figures = (several.nodes, several.solutions, several.deepest);
-            assert_eq!(figures, (one.nodes, one.solutions, one.deepest));
-            let mut others = several.sink.0;
+            let (several, all) = run(plan(tree, values, threads), All::default);
+            assert_eq!(figures(&several), figures(&one));
+            let mut others = all.0;
             others.sort_unstable();
             assert!(others == solutions);
         }
@@ -60,18 +75,16 @@ fn the_first_solution_does_not_depend_on_pace() {
     let mut before = 0;
     for seed in 0..6 {
         let values = if seed == 0 { Values::Lexicographic } else { Values::Random(seed) };
-        let one = run(plan(Tree::new(17, rare), values, 1), || First);
-        assert!(one.complete && one.found.is_some());
-        before += one.nodes;
+        let (one, _) = run(plan(Tree::new(17, rare), values, 1), || First);
+        assert!(one.best.is_some());
+        before += figures(&one).nodes;
         for (pace, threads) in
             [(dawdle as fn(&[u32]), 3), (slow_start, 8), (slow_start, 2), (|_| {}, 8)]
         {
             let tree = Tree { at: pace, ..Tree::new(17, rare) };
-            let several = run(plan(tree, values, threads), || First);
-            assert!(several.complete && several.left.is_empty());
-            assert_eq!(several.found, one.found, "{values:?} {threads}");
-            let figures = (several.nodes, several.solutions, several.deepest);
-            assert_eq!(figures, (one.nodes, one.solutions, one.deepest), "{values:?} {threads}");
+            let (several, _) = run(plan(tree, values, threads), || First);
+            assert_eq!(several.best, one.best, "{values:?} {threads}");
+            assert_eq!(figures(&several), figures(&one), "{values:?} {threads}");
         }
     }
     assert!(before > 500_000, "only {before} nodes before the first solutions");
@@ -84,10 +97,10 @@ fn limits_on_nodes() {
         for threads in [1, 2, 8] {
             let limits = Limits { nodes, ..Limits::NONE };
             let tree = Tree::new(30, |_| 0b111);
-            let outcome =
-                run(Plan { limits, ..plan(tree, Values::Lexicographic, threads) }, || Count);
-            assert!(!outcome.complete && !outcome.left.is_empty());
-            assert!(outcome.nodes <= nodes && (threads > 1 || outcome.nodes == nodes), "{nodes}");
+            let plan = Plan { limits, ..plan(tree, Values::Lexicographic, threads) };
+            let (state, _) = run(plan, || Count);
+            assert!(!state.is_complete());
+            assert!(state.nodes <= nodes && (threads > 1 || state.nodes == nodes), "{nodes}");
         }
     }
 }
@@ -106,9 +119,9 @@ fn progress_never_falls() {
         *last = now;
     };
     let tree = Tree { at: slow_start, ..Tree::new(15, irregular) };
-    let outcome = run(Plan { watch: &watch, ..plan(tree, Values::Lexicographic, 3) }, || Count);
+    let (state, _) = run(Plan { watch: &watch, ..plan(tree, Values::Lexicographic, 3) }, || Count);
     let (fraction, nodes, _) = *last.lock().unwrap();
-    assert!(fraction > 0.0 && nodes > 0 && nodes <= outcome.nodes);
+    assert!(fraction > 0.0 && nodes > 0 && nodes <= state.nodes);
 }
 
 /// The message of the panic of `work`, which must come soon.

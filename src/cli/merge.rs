@@ -1,0 +1,125 @@
+//! `merge`: the parts of a plan put together, to the answer of the undivided search.
+
+use super::args::MergeArgs;
+use super::count::Told;
+use super::exit::Exit;
+use super::request::Request;
+use super::session::Done;
+use super::{count, describe, list, output, part};
+use crate::cluster::{self, Merged, missing_words};
+use crate::packing::solve::{Work, counted, listed};
+use crate::store::{Kept, PartFiles, PartResult, SearchPlan};
+use anyhow::{Context, bail};
+use num_bigint::BigUint;
+use serde_json::json;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+/// Runs the command.
+///
+/// # Errors
+/// Results that do not belong together or to the plan, or cannot be read.
+pub fn run(args: &MergeArgs) -> anyhow::Result<Exit> {
+    let plan = SearchPlan::read(&args.plan)?;
+    let folder = part::folder(&args.plan, args.dir.as_deref());
+    let merged = cluster::merge(&plan, results(&folder)?)?;
+    if !merged.missing.is_empty() {
+        return incomplete(args, &plan, &merged);
+    }
+    match plan.job.is_list() {
+        true => merged_list(args, &plan, merged, &folder),
+        false => merged_count(args, &plan, merged),
+    }
+}
+
+/// All results in a folder.
+fn results(folder: &Path) -> anyhow::Result<Vec<(PathBuf, PartResult)>> {
+    let mut results = Vec::new();
+    let entries = fs::read_dir(folder).with_context(|| folder.display().to_string())?;
+    for entry in entries {
+        let file = entry.with_context(|| folder.display().to_string())?.path();
+        let name = file.file_name().unwrap_or_default().to_string_lossy().into_owned();
+        if name.starts_with("part-") && name.ends_with(".result.json") {
+            let result = PartResult::read(&file)?;
+            if PartFiles::new(folder, result.number, result.of).result != file {
+                bail!("{}: holds part {} of {}", file.display(), result.number, result.of);
+            }
+            results.push((file, result));
+        }
+    }
+    Ok(results)
+}
+
+/// Parts are missing: their numbers, and no answer.
+fn incomplete(args: &MergeArgs, plan: &SearchPlan, merged: &Merged) -> anyhow::Result<Exit> {
+    let missing = missing_words(&merged.missing);
+    let done = merged.results.len();
+    if args.json {
+        output::object(&[
+            ("result", json!("stopped")),
+            ("parts", json!(plan.parts)),
+            ("done", json!(done)),
+            ("missing", json!(merged.missing)),
+            ("solutions", json!(null)),
+            ("nodes", json!(merged.standing.state.nodes.to_string())),
+            ("seconds", json!(merged.standing.state.elapsed.as_secs_f64())),
+        ])?;
+    }
+    let number = merged.missing.len() as u64;
+    let missing =
+        describe::number(number, "part").replace("part", "part missing") + ": " + &missing;
+    output::remark(&format!("no answer yet: {done} of {} parts are done; {missing}", plan.parts));
+    Ok(Exit::Stopped)
+}
+
+fn done(merged: &Merged) -> Done {
+    Done {
+        work: Work::of(&merged.standing),
+        time: merged.standing.state.elapsed,
+        standing: merged.standing.clone(),
+        stopped: None,
+        saved: None,
+        kept: None,
+    }
+}
+
+fn merged_count(args: &MergeArgs, plan: &SearchPlan, merged: Merged) -> anyhow::Result<Exit> {
+    if args.output.is_some() {
+        bail!("-o: the plan is for a count, not for a list");
+    }
+    let (job, done) = (&plan.job, done(&merged));
+    let counted = counted(job, &done.standing)?;
+    let nothing = counted.packings == BigUint::ZERO;
+    let how = format!("search in {}", describe::number(plan.parts, "part"));
+    let told = Told { job, done: &done, counted, reason: None, how: &how };
+    if args.json {
+        let mut fields = told.fields();
+        fields.extend([("parts", json!(plan.parts)), ("done", json!(merged.results.len()))]);
+        output::object(&fields)?;
+    } else {
+        count::tell(&told, false)?;
+    }
+    Ok(Exit::of(!nothing))
+}
+
+fn merged_list(
+    args: &MergeArgs,
+    plan: &SearchPlan,
+    merged: Merged,
+    folder: &Path,
+) -> anyhow::Result<Exit> {
+    let request = Request { output: args.output.clone(), json: args.json, ..Request::default() };
+    list::check_output(&request)?;
+    let labels = plan.job.task.lattice().labels();
+    let mut kept = Vec::new();
+    for (_, result) in &merged.results {
+        let files = PartFiles::new(folder, result.number, result.of);
+        let extent = result.kept.with_context(|| {
+            format!("{}: does not say which packings it met", files.result.display())
+        })?;
+        kept.extend(Kept::open(files.packings, extent)?.packings(labels)?);
+    }
+    let packings = listed(&plan.job, kept);
+    list::tell(&plan.job, &request, &done(&merged), &packings, None)?;
+    Ok(Exit::of(!packings.is_empty()))
+}

@@ -1,0 +1,115 @@
+//! A search as a whole: the task, what is asked about it, and what decides which tree is walked.
+//!
+//! Two searches with equal jobs visit the same nodes in the same order, whatever the number of
+//! threads, so what one has left undone the other can take up. All that may differ without
+//! making another search (threads, limits, what is shown) is in [`Settings`](super::Settings).
+
+use super::Task;
+use super::reduction::Reduction;
+use super::sinks::Purpose;
+use super::solve::SolveError;
+use crate::search::{Part, Values};
+use crate::symmetry::{Canonizer, Group};
+
+/// What is asked about a task.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Question {
+    /// The first packing.
+    First,
+    /// How many there are.
+    Count {
+        /// Also up to symmetry.
+        up_to_symmetry: bool,
+    },
+    /// Which there are.
+    List {
+        /// Only one of each orbit.
+        up_to_symmetry: bool,
+    },
+}
+
+/// A search.
+#[derive(Debug, Clone)]
+pub struct Job {
+    /// Which packings.
+    pub task: Task,
+    /// What is asked about them.
+    pub question: Question,
+    /// The order in which the alternatives of a level are tried.
+    pub values: Values,
+    /// Whether symmetry may be removed before the search (the answer is the same).
+    pub reduce: bool,
+    /// Only this part of the search.
+    pub part: Option<Part>,
+}
+
+/// The search for all that a task asks about, in lexicographic order, reduced.
+impl From<&Task> for Job {
+    fn from(task: &Task) -> Self {
+        Self::new(task.clone(), Question::First)
+    }
+}
+
+impl Job {
+    /// The whole search, in lexicographic order, reduced.
+    pub fn new(task: Task, question: Question) -> Self {
+        Self { task, question, values: Values::Lexicographic, reduce: true, part: None }
+    }
+
+    /// Checks that the job makes sense.
+    ///
+    /// # Errors
+    /// When the task does not, or has no orbits where they are asked for.
+    pub fn check(&self) -> Result<(), SolveError> {
+        if self.up_to_symmetry() && self.task.has_pins() {
+            return Err(SolveError::PinnedOrbits);
+        }
+        Ok(self.task.check()?)
+    }
+
+    /// Whether orbits are asked for.
+    pub fn up_to_symmetry(&self) -> bool {
+        match self.question {
+            Question::First => false,
+            Question::Count { up_to_symmetry } | Question::List { up_to_symmetry } => {
+                up_to_symmetry
+            }
+        }
+    }
+
+    /// Whether the packings are to be kept.
+    pub fn is_list(&self) -> bool {
+        matches!(self.question, Question::List { .. })
+    }
+
+    /// What the search assumes: as much as the question allows.
+    pub fn reduction(&self) -> Reduction {
+        match (self.reduce, self.question) {
+            (false, _) => Reduction::none(),
+            (_, Question::First | Question::Count { up_to_symmetry: false }) => {
+                Reduction::full(&self.task)
+            }
+            // Colors in order would leave out packings to list, and canonical ones.
+            _ => Reduction::anchored(&self.task),
+        }
+    }
+
+    /// What is done with each solution.
+    ///
+    /// # Errors
+    /// When the symmetries cannot be had.
+    pub(super) fn purpose(&self) -> Result<Purpose, SolveError> {
+        let keep = self.is_list();
+        if self.up_to_symmetry() {
+            let task = &self.task;
+            let group = Group::of(&task.set, task.shape, task.automorphism.as_ref())?;
+            let canonizer = Box::new(Canonizer::new(&group, self.reduction().anchor));
+            return Ok(Purpose::Orbits { canonizer, keep });
+        }
+        Ok(match self.question {
+            Question::First => Purpose::First,
+            Question::Count { .. } => Purpose::Count,
+            Question::List { .. } => Purpose::Keep,
+        })
+    }
+}
