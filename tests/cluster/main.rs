@@ -81,6 +81,11 @@ impl Place {
         assert!(code == 0 && said.contains(&format!("\"solutions\":\"{PACKINGS}\"")), "{said}");
     }
 
+    /// Whether a part has saved what it did so far, and is not done.
+    fn has_checkpoint(&self, part: u64) -> bool {
+        self.path(&format!("plan.json.parts/part-{part:02}.checkpoint")).exists()
+    }
+
     /// The logs of all parts, sorted by their names.
     fn logs(&self) -> Vec<(String, String)> {
         let mut logs = Vec::new();

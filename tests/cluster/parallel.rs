@@ -17,6 +17,8 @@ fn a_part_is_killed() {
         command
     };
     // Without further attempts, so that the part is missing in the end.
+    let part = ["--part".into(), "3".into(), place.plan().to_str().unwrap().into()];
+    let parts = || processes::with("cmdline", &part);
     let output = std::thread::scope(|scope| {
         let parallel = scope.spawn(|| run(&["--jobs", "4", "--retries", "1"]).output().unwrap());
         let parts =

@@ -62,3 +62,18 @@ pub(crate) fn with(name: &str, entries: &[String]) -> Vec<u32> {
     }
     found
 }
+
+/// The parents of processes that are named `slurmstepd`.
+pub(crate) fn parents(pids: &[u32]) -> Vec<u32> {
+    let mut parents = Vec::new();
+    for pid in pids {
+        let status = fs::read_to_string(format!("/proc/{pid}/status")).unwrap_or_default();
+        let parent = status.lines().find_map(|line| line.strip_prefix("PPid:"));
+        let parent = parent.and_then(|parent| parent.trim().parse().ok()).unwrap_or(0);
+        let name = fs::read_to_string(format!("/proc/{parent}/comm")).unwrap_or_default();
+        if name.starts_with("slurmstepd") && !parents.contains(&parent) {
+            parents.push(parent);
+        }
+    }
+    parents
+}

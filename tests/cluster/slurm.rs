@@ -99,7 +99,8 @@ impl Cluster {
         let ports: Vec<_> = (0..3).map(|_| TcpListener::bind("127.0.0.1:0").unwrap()).collect();
         let ports: Vec<_> = ports.iter().map(|port| port.local_addr().unwrap().port()).collect();
         let [controller, n1, n2] = ports[..] else { unreachable!() };
-        // cred_expire: so long, and a second, a job that was requeued has to wait; else 2 minutes.
+        // A job that was requeued waits as long as cred_expire and a second: 2 minutes by default,
+        // and with less than 5 seconds.
         format!(
             "ClusterName=test
 SlurmctldHost={host}(127.0.0.1)
@@ -107,7 +108,7 @@ SlurmctldPort={controller}
 SlurmUser=root
 SlurmdUser=root
 AuthType=auth/munge
-AuthInfo=socket={folder}/munge/socket,cred_expire=3
+AuthInfo=socket={folder}/munge/socket,cred_expire=5
 CredType=cred/munge
 MpiDefault=none
 ProctrackType=proctrack/linuxproc
@@ -140,6 +141,21 @@ PartitionName=all Nodes=n1,n2 Default=YES State=UP MaxTime=INFINITE
         let mut entries = vec![format!("SLURM_CONF={}", self.path("slurm.conf").display())];
         entries.extend(node.map(|node| format!("SLURMD_NODENAME={node}")));
         processes::with("environ", &entries)
+    }
+
+    /// The process that runs the script of a task.
+    fn script(&self, id: &str) -> u32 {
+        let (job, task) = id.split_once('_').unwrap();
+        let of_task = [
+            format!("SLURM_CONF={}", self.path("slurm.conf").display()),
+            format!("SLURM_ARRAY_JOB_ID={job}"),
+            format!("SLURM_ARRAY_TASK_ID={task}"),
+        ];
+        let is_script = |pid: &u32| {
+            let line = fs::read_to_string(format!("/proc/{pid}/cmdline")).unwrap_or_default();
+            line.starts_with("/bin/sh\0") && line.contains("/slurm_script\0")
+        };
+        processes::with("environ", &of_task).into_iter().find(is_script).unwrap()
     }
 
     /// What is to be seen when something goes wrong.
@@ -179,17 +195,21 @@ fn a_node_goes_down() {
     };
     let both = || running("n1").len() == 2 && running("n2").len() == 2;
     wait(30, "both nodes are busy", both, || cluster.state(&place));
-    std::thread::sleep(std::time::Duration::from_millis(600));
+    let saved = || {
+        let first = running("n1");
+        first.iter().all(|id| place.has_checkpoint(id.split_once('_').unwrap().1.parse().unwrap()))
+    };
+    wait(30, "the parts of n1 have checkpoints", saved, || cluster.state(&place));
 
     // The power of one node fails; Slurm is told, which it would find out by itself in a while.
     let lost = running("n1");
     // What the signal before the time limit does: only the script gets it.
     let warned = running("n2")[0].clone();
-    let warn = format!("--signal=TERM --batch {warned}");
-    // It refuses while it is still about to start the job.
-    wait(10, "it is warned", || cluster.ask("scancel", &warn).is_empty(), || warned.clone());
+    signal(cluster.script(&warned), "TERM");
     cluster.nodes[0].kill();
-    for pid in cluster.processes(Some("n1")) {
+    let parts = cluster.processes(Some("n1"));
+    // Their parents first, which would still report how they ended.
+    for pid in processes::parents(&parts).into_iter().chain(parts) {
         signal(pid, "KILL");
     }
     assert_eq!(cluster.ask("scontrol", "update nodename=n1 state=DOWN reason=power"), "");
