@@ -1,6 +1,6 @@
 //! GNU parallel: a part is killed, the same script goes on, the count is exact.
 
-use crate::{PROGRAM, Place, find, processes, said, sh, wait};
+use crate::{Place, find, processes, said, sh, wait};
 
 #[test]
 fn a_part_is_killed() {
@@ -21,16 +21,13 @@ fn a_part_is_killed() {
     let parts = || processes::with("cmdline", &part);
     let output = std::thread::scope(|scope| {
         let parallel = scope.spawn(|| run(&["--jobs", "4", "--retries", "1"]).output().unwrap());
-        let parts =
-            || processes::with("cmdline", &[place.plan().to_str().unwrap().into(), "3".into()]);
-        wait(30, "part 3 runs", || !parts().is_empty(), || format!("{:?}", place.logs()));
-        std::thread::sleep(std::time::Duration::from_millis(500));
+        wait(30, "part 3 is saved", || place.has_checkpoint(3), || format!("{:?}", place.logs()));
         for pid in parts() {
             processes::signal(pid, "KILL");
         }
         parallel.join().unwrap()
     });
-    assert_eq!(said(&output).0, 1, "{output:?} {:?} {PROGRAM}", place.logs());
+    assert_eq!(said(&output).0, 1, "{output:?} {:?}", place.logs());
     let (code, text) = place.merge();
     assert!(code == 75 && text.contains('3'), "{code} {text}");
 
