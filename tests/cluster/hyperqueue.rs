@@ -4,7 +4,7 @@
 //! program `hq`; `hq.py` stands in for the part of it that the job file uses.
 
 use crate::processes::Daemon;
-use crate::{Place, find, said, sh, wait};
+use crate::{Place, find, said, sh, skip, wait};
 use std::fs;
 use std::os::unix::fs::PermissionsExt;
 use std::path::Path;
@@ -35,8 +35,7 @@ fn a_worker_is_killed() {
     let installed = find("python3").is_some()
         && python(&["-c", "import hyperqueue"]).status().is_ok_and(|status| status.success());
     if !installed {
-        eprintln!("skipped: the Python package hyperqueue is not installed");
-        return;
+        return skip("the Python package hyperqueue is not installed");
     }
     let place = Place::new();
     let script = place.script("hyperqueue");

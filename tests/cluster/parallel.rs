@@ -1,12 +1,11 @@
 //! GNU parallel: a part is killed, the same script goes on, the count is exact.
 
-use crate::{Place, find, processes, said, sh, wait};
+use crate::{Place, find, processes, said, sh, skip, wait};
 
 #[test]
 fn a_part_is_killed() {
     if find("parallel").is_none() {
-        eprintln!("skipped: GNU parallel is not installed");
-        return;
+        return skip("GNU parallel is not installed");
     }
     let place = Place::new();
     let script = place.script("parallel");

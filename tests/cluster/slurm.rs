@@ -4,7 +4,7 @@
 //! state in a temporary folder. Needs root, as Slurm does.
 
 use crate::processes::{self, Daemon, signal};
-use crate::{Place, find, said, sh, wait};
+use crate::{Place, find, said, sh, skip, wait};
 use std::fs;
 use std::net::TcpListener;
 use std::os::unix::fs::PermissionsExt;
@@ -180,7 +180,7 @@ impl Drop for Cluster {
 fn a_node_goes_down() {
     let mut cluster = match Cluster::start() {
         Ok(cluster) => cluster,
-        Err(missing) => return eprintln!("skipped: {missing}"),
+        Err(missing) => return skip(&missing),
     };
     let place = Place::new();
     let script = place.script("slurm");
