@@ -1,7 +1,7 @@
 //! A search saved while it runs.
 //!
 //! A checkpoint holds the [job](super::write_job) in words and what the search stands at in
-//! numbers, in a [frame](super::frame). A new one is complete on the disk before it takes the
+//! numbers, in a [`frame`]. A new one is complete on the disk before it takes the
 //! name, and the one before it is kept as `NAME.previous`: whatever happens, one of the two is
 //! whole. What is read is not believed beyond its checksum: paths must fit the search.
 

@@ -17,11 +17,8 @@ fn kill_after(place: &Place, args: &str, time: Duration) -> Option<Run> {
     // SIGKILL where there are signals.
     child.kill().unwrap();
     let output = child.wait_with_output().unwrap();
-    match output.status.code() {
-        None => None,
-        // It ended just before.
-        Some(_) => Some(Run::of(output)),
-    }
+    // With a code it ended by itself just before.
+    output.status.code().map(|_| Run::of(output))
 }
 
 /// Runs a search again and again, killed each time, until so many kills; whenever it ends, what
