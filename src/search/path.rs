@@ -9,7 +9,7 @@
 use super::{Alternatives, Problem, Values};
 
 /// The position of a walk: choices made and alternatives left, level by level.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone)]
 pub struct Path<A> {
     level: usize,
     choices: Vec<u32>,

@@ -22,8 +22,9 @@ fn saved<P: Problem, F>(
 ) -> State<Path<P::Alternatives>, F> {
     let mut problem = problem.clone();
     let again = |path: Path<_>| {
-        let again = Trail::of(&path).path(&mut problem)?;
-        assert_eq!(again, path);
+        let trail = Trail::of(&path);
+        let again = trail.path(&mut problem)?;
+        assert_eq!(Trail::of(&again), trail);
         Ok::<_, TrailError>(again)
     };
     state.try_map(again).unwrap()
