@@ -9,7 +9,7 @@ use super::exit::Exit;
 use super::request::Request;
 use super::saving::Save;
 use super::session::Session;
-use super::{duration, output};
+use super::{describe, duration, output};
 use crate::store::{
     Kept, Lock, PartFiles, PartResult, SearchPlan, StoreError, beside, check_writable, previous,
 };
@@ -55,12 +55,20 @@ pub fn run(args: &PartArgs) -> anyhow::Result<Exit> {
                 ("part", json!(args.part)),
                 ("parts", json!(plan.parts)),
                 ("done", json!(0)),
+                ("solutions_met", json!(done.standing.state.solutions.to_string())),
             ];
             fields.extend(done.fields());
             output::object(&fields)?;
         }
+        let exit = done.stopped_exit();
+        // Not to be gone on with by itself: only with its plan it comes to a result.
+        done.saved = done.saved.filter(Result::is_err);
         done.tell_stop("run it again to go on");
-        return Ok(done.stopped_exit());
+        return Ok(exit);
+    }
+    // Then packings met may be missing from their file, whatever could be written since.
+    if let (true, Some(Err(error))) = (job.is_list(), done.saved) {
+        return Err(error.into());
     }
     done.standing.kept.clear();
     let kept = done.kept;
@@ -123,10 +131,10 @@ fn tell(
     } else if !args.run.quiet {
         let when = if before { "was done before" } else { "done" };
         output::remark(&format!(
-            "part {} of {} {when}: {} solutions met, {} nodes in {}",
+            "part {} of {} {when}: {} met, {} nodes in {}",
             result.number,
             plan.parts,
-            state.solutions,
+            describe::number(state.solutions, "solution"),
             state.nodes,
             duration::words(state.elapsed)
         ));
