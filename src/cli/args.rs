@@ -136,9 +136,9 @@ pub struct SearchArgs {
     /// Search without removing symmetry first: slow, for checking; same answer
     #[arg(long)]
     pub plain: bool,
-    /// Save the search to this file while it runs; if the file is there, go on from it
-    /// [without FILE: a file in checkpoints/ named after the search]
-    #[arg(long, value_name = "FILE", num_args = 0..=1, default_missing_value = "")]
+    /// Save the search to this file while it runs; if the file is there, go on from it. DIR/ is
+    /// a file in that folder named after the search [without FILE: checkpoints/]
+    #[arg(long, value_name = "FILE", num_args = 0..=1, default_missing_value = "checkpoints/")]
     pub checkpoint: Option<PathBuf>,
     /// Limits, threads, what is shown.
     #[command(flatten)]

@@ -15,9 +15,6 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
-/// The folder of checkpoints that are given no name.
-const FOLDER: &str = "checkpoints";
-
 /// Where a search is saved.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Save {
@@ -33,21 +30,21 @@ impl Save {
         Self { file: file.into(), kept: beside(file, ".packings") }
     }
 
-    /// Where `--checkpoint` asks for; without a name, in the folder of checkpoints under a name
-    /// made of the search.
+    /// Where `--checkpoint` asks for: a file, or (with a slash at its end) a folder, which is
+    /// made if it is not there, and in it a name made of the search.
     ///
     /// # Errors
-    /// When that folder cannot be made.
+    /// When the folder cannot be made.
     pub fn asked(file: Option<&Path>, job: &Job) -> anyhow::Result<Option<Self>> {
         let Some(file) = file else { return Ok(None) };
-        if !file.as_os_str().is_empty() {
+        if !file.as_os_str().as_encoded_bytes().ends_with(b"/") {
             return Ok(Some(Self::at(file)));
         }
-        fs::create_dir_all(FOLDER).with_context(|| format!("{FOLDER}: cannot be made"))?;
+        fs::create_dir_all(file).with_context(|| format!("{}: cannot be made", file.display()))?;
         let fingerprint = fingerprint(&write_job(job));
         let short: String = fingerprint[..4].iter().map(|byte| format!("{byte:02x}")).collect();
         let name = format!("{}-{short}.checkpoint", describe::slug(job));
-        Ok(Some(Self::at(&Path::new(FOLDER).join(name))))
+        Ok(Some(Self::at(&file.join(name))))
     }
 }
 
@@ -104,6 +101,9 @@ impl Saving {
             let time = duration::words(state.elapsed);
             let file = save.file.display();
             output::remark(&format!("going on from {file}: {} nodes in {time}", state.nodes));
+        }
+        if !state.is_complete() {
+            check_writable(&save.file)?;
         }
         let writer = Writer {
             file: save.file.clone(),

@@ -10,7 +10,7 @@ use super::job::Job;
 use super::sinks::{Leaves, Purpose};
 use super::solve::SolveError;
 use super::{Labeled, Settings};
-use crate::search::{self, InPart, Limits, Path, Plan, State, Stop, Trail};
+use crate::search::{self, Alternatives, InPart, Limits, Path, Plan, State, Stop, Trail};
 use num_bigint::BigUint;
 
 /// What a search stands at.
@@ -109,6 +109,9 @@ impl Search<'_> {
             }
         };
         let first_node = state.nodes;
+        if state.is_complete() {
+            return Ok(leaves.standing(&state, levels));
+        }
         loop {
             let visited = state.nodes - first_node;
             let due = Due(settings.keeper);
@@ -122,20 +125,13 @@ impl Search<'_> {
             };
             let sink;
             (state, sink) = search::run(plan, state, || Leaves::new(purpose.clone()));
-            crate::search::Sink::<P>::join(&mut leaves, sink);
+            search::Sink::<P>::join(&mut leaves, sink);
             let visited = state.nodes - first_node;
             let over = visited >= settings.limits.nodes || settings.limits.stop.should_stop();
-            let (orbits, orbit_sizes) = (leaves.orbits, leaves.orbit_sizes.clone());
-            let kept = std::mem::take(&mut leaves.kept);
+            let standing = leaves.standing(&state, levels);
             match settings.keeper {
-                Some(keeper) if !state.is_complete() && !over => {
-                    let state = frozen(&state);
-                    keeper.keep(Standing { state, levels, orbits, orbit_sizes, kept });
-                }
-                _ => {
-                    let state = frozen(&state);
-                    return Ok(Standing { state, levels, orbits, orbit_sizes, kept });
-                }
+                Some(keeper) if !state.is_complete() && !over => keeper.keep(standing),
+                _ => return Ok(standing),
             }
         }
     }
@@ -150,8 +146,20 @@ impl Stop for Due<'_> {
     }
 }
 
-fn frozen<A: search::Alternatives>(state: &State<Path<A>, Vec<u8>>) -> State<Trail, Vec<u8>> {
-    state.map(Trail::of)
+impl Leaves {
+    /// What the search stands at; the packings kept are handed over.
+    fn standing<A>(&mut self, state: &State<Path<A>, Vec<u8>>, levels: usize) -> Standing
+    where
+        A: Alternatives,
+    {
+        Standing {
+            state: state.map(Trail::of),
+            levels,
+            orbits: self.orbits,
+            orbit_sizes: self.orbit_sizes.clone(),
+            kept: std::mem::take(&mut self.kept),
+        }
+    }
 }
 
 impl<P: Labeled> Labeled for InPart<P> {

@@ -57,32 +57,16 @@ impl AtomicFile {
     /// When that fails; the target is then as it was before.
     pub fn commit(self) -> Result<(), StoreError> {
         let Self { file, out } = self;
-        finish(out, None).map_err(|error| unwritable(&file, &error))
-    }
-
-    /// The same, but the file replaced, if there is one, is kept under another name in the same
-    /// folder. Between the two steps there is only that other name.
-    ///
-    /// # Errors
-    /// When that fails; what was there is there, under one name or the other.
-    pub fn commit_keeping(self, old: &Path) -> Result<(), StoreError> {
-        let Self { file, out } = self;
-        finish(out, Some(old)).map_err(|error| unwritable(&file, &error))
+        finish(out).map_err(|error| unwritable(&file, &error))
     }
 }
 
-fn finish(out: Out, old: Option<&Path>) -> io::Result<()> {
+fn finish(out: Out) -> io::Result<()> {
     match out {
         Out::Direct(mut out) => out.flush(),
         Out::Temporary(out, path) => {
             let temporary = out.into_inner().map_err(io::IntoInnerError::into_error)?;
             temporary.as_file().sync_all()?;
-            if let Some(old) = old {
-                match fs::rename(&path, old) {
-                    Err(error) if error.kind() != io::ErrorKind::NotFound => return Err(error),
-                    _ => {}
-                }
-            }
             temporary.persist(&path).map_err(|error| error.error)?;
             sync_folder(folder(&path));
             Ok(())
@@ -181,13 +165,13 @@ fn temporary(file: &Path, path: &Path) -> Result<NamedTempFile, StoreError> {
 }
 
 /// The folder of a file.
-fn folder(path: &Path) -> &Path {
+pub(super) fn folder(path: &Path) -> &Path {
     path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."))
 }
 
 /// Makes the new name durable. The file is complete already, and some file systems cannot do
 /// this, so failing to is no error.
-fn sync_folder(folder: &Path) {
+pub(super) fn sync_folder(folder: &Path) {
     #[cfg(unix)]
     {
         let _ = File::open(folder).and_then(|folder| folder.sync_all());

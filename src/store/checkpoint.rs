@@ -5,13 +5,14 @@
 //! name, and the one before it is kept as `NAME.previous`: whatever happens, one of the two is
 //! whole. What is read is not believed beyond its checksum: paths must fit the search.
 
+use super::atomic::{folder, sync_folder};
 use super::frame::{self, FrameKind};
-use super::{AtomicFile, Extent, StoreError, beside, codec, fingerprint};
+use super::{Extent, StoreError, beside, codec, fingerprint};
 use crate::packing::Standing;
 use crate::search::{Best, Record, State, Trail};
 use num_bigint::BigUint;
 use serde::{Deserialize, Serialize};
-use std::fs;
+use std::fs::{self, File};
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 use std::time::Duration;
@@ -144,7 +145,11 @@ impl TrailText {
     fn of(trail: &Trail) -> Self {
         let gaps = |numbers: &Vec<u32>| {
             let before = std::iter::once(0).chain(numbers.iter().copied());
-            numbers.iter().zip(before).map(|(number, before)| number - before).collect()
+            numbers
+                .iter()
+                .zip(before)
+                .map(|(&number, before)| number.wrapping_sub(before))
+                .collect()
         };
         Self { choices: trail.choices.clone(), left: trail.left.iter().map(gaps).collect() }
     }
@@ -152,7 +157,7 @@ impl TrailText {
     fn trail(self) -> Trail {
         let numbers = |gaps: Vec<u32>| {
             let add = |sum: &mut u32, gap: u32| {
-                *sum = sum.saturating_add(gap);
+                *sum = sum.wrapping_add(gap);
                 Some(*sum)
             };
             gaps.into_iter().scan(0, add).collect()
@@ -168,15 +173,42 @@ pub fn previous(file: &Path) -> PathBuf {
 
 /// Writes a checkpoint; the one before it is kept. Gives the size of the file in bytes.
 ///
+/// The file is locked by this process, so the name of what is not yet complete needs not be
+/// unique; what a killed process left under it is written over.
+///
 /// # Errors
 /// When it cannot be written; the newest one is then that before it.
 pub fn write_checkpoint(file: &Path, checkpoint: &Checkpoint) -> Result<usize, StoreError> {
     let wrong = |message: String| StoreError::Unwritable { file: file.into(), message };
     let bytes = checkpoint.bytes().map_err(wrong)?;
-    let mut out = AtomicFile::create(file)?;
-    out.write_all(&bytes).map_err(|error| wrong(error.to_string()))?;
-    out.commit_keeping(&previous(file))?;
-    Ok(bytes.len())
+    let part = beside(file, ".part");
+    let written = write_whole(&part, &bytes).and_then(|()| take_place(file, &part));
+    match written {
+        Ok(()) => Ok(bytes.len()),
+        Err(error) => {
+            // Room for the next attempt.
+            let _ = fs::remove_file(&part);
+            Err(wrong(error.to_string()))
+        }
+    }
+}
+
+fn write_whole(file: &Path, bytes: &[u8]) -> io::Result<()> {
+    let mut out = File::create(file)?;
+    out.write_all(bytes)?;
+    out.sync_all()
+}
+
+/// Gives a complete file its name, and what had that name the name of the one before. Between
+/// the two steps there is only the one before.
+fn take_place(file: &Path, complete: &Path) -> io::Result<()> {
+    match fs::rename(file, previous(file)) {
+        Err(error) if error.kind() != io::ErrorKind::NotFound => return Err(error),
+        _ => {}
+    }
+    fs::rename(complete, file)?;
+    sync_folder(folder(file));
+    Ok(())
 }
 
 /// A checkpoint from disk.
