@@ -74,7 +74,7 @@ impl Status {
         let Progress { nodes, solutions, deepest, levels, fraction, elapsed } = *progress;
         let seconds = elapsed.as_secs_f64();
         // The longest time may be without bound.
-        let bounded = |time: Duration| (time < Duration::MAX).then(|| time.as_secs_f64());
+        let bounded = |time: Duration| (time < Duration::MAX).then_some(time.as_secs_f64());
         let left_seconds: Option<Value> =
             left.map(|(shortest, longest)| json!([bounded(shortest), bounded(longest)]));
         let fields = [

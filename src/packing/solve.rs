@@ -1,6 +1,6 @@
 //! Answers to tasks: the first packing, their number, all of them.
 //!
-//! A task is reduced ([`Reduction`]), made into the problem that fits its kind, set and size in
+//! A task is reduced ([`Reduction`](super::reduction::Reduction)), made into the problem that fits its kind, set and size in
 //! words, and searched. The number of packings is the number of solutions met times what the
 //! reduction left out; up to symmetry, canonical packings are counted and the sizes of their
 //! orbits must add up to the same number, or the count is refused.
