@@ -50,8 +50,9 @@ fn wang_in_1000_parts() {
     let results: Vec<_> = (0..1000)
         .map(|number| {
             let file = place.path(&format!("wang.plan.parts/part-{number:03}.result.json"));
-            result(&plan, number).write(&file).unwrap();
-            (file, result(&plan, number))
+            let result = result(&plan, number);
+            result.write(&file).unwrap();
+            (file, result)
         })
         .collect();
     let merged = merge(&plan, results).unwrap();
