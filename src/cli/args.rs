@@ -3,7 +3,7 @@
 //! What depends on more than one option (colors on the kind, a size on the set) is kept as text
 //! here and read in [`super::problem`], where errors can say more.
 
-use super::{duration, help};
+use super::{cluster, duration, help};
 use crate::store::MAX_PARTS;
 use crate::tiles::Kind;
 use crate::torus::Order;
@@ -56,6 +56,9 @@ pub enum Command {
     /// Give the size of a tile set, and its tiles
     #[command(after_help = help::SETS)]
     Sets(SetsArgs),
+    /// Write a job file that runs the parts of a plan with a scheduler
+    #[command(after_help = help::CLUSTER, subcommand, disable_help_subcommand = true)]
+    Cluster(ClusterCommand),
 }
 
 fn kinds() -> impl TypedValueParser<Value = Kind> {
@@ -398,4 +401,56 @@ pub struct SetsArgs {
     /// One JSON object on standard output
     #[arg(long, help_heading = "Result")]
     pub json: bool,
+}
+
+/// The schedulers.
+#[derive(Debug, Clone, Subcommand)]
+pub enum ClusterCommand {
+    /// A script for Slurm: array jobs, a task for each part
+    #[command(after_help = help::CLUSTER)]
+    Slurm(SlurmArgs),
+    /// A script for HyperQueue: a task for each part
+    #[command(after_help = help::CLUSTER)]
+    Hyperqueue(JobArgs),
+    /// A script for GNU parallel: the parts on the cores of one machine
+    #[command(after_help = help::CLUSTER)]
+    Parallel(JobArgs),
+}
+
+/// The parts of a plan.
+#[derive(Debug, Clone, Args)]
+pub struct JobArgs {
+    /// The plan, written by the command plan
+    #[arg(value_name = "PLAN")]
+    pub plan: PathBuf,
+    /// Where the parts keep checkpoints, results and logs [default: PLAN.parts]
+    #[arg(long, value_name = "DIR")]
+    pub dir: Option<PathBuf>,
+    /// Threads of each part
+    #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u16).range(1..=1024))]
+    pub threads: u16,
+    /// Time from one checkpoint to the next: 500ms, 90s, 10m, 2h [default: that of run]
+    #[arg(long, value_name = "TIME", value_parser = cluster::checkpoint_every)]
+    pub checkpoint_every: Option<String>,
+    /// The program as the nodes find it: a name on their path, or a file
+    #[arg(long, value_name = "PROGRAM", default_value = "tilepack")]
+    pub program: PathBuf,
+    /// Write the script to this file instead of standard output
+    #[arg(short, long, value_name = "FILE", help_heading = "Result")]
+    pub output: Option<PathBuf>,
+}
+
+/// The parts of a plan, for Slurm.
+#[derive(Debug, Clone, Args)]
+pub struct SlurmArgs {
+    /// The parts.
+    #[command(flatten)]
+    pub job: JobArgs,
+    /// Time limit of a part's run; at the end it is stopped and put back in the queue [default:
+    /// that of the site]
+    #[arg(long, value_name = "HH:MM:SS", value_parser = cluster::time_limit)]
+    pub time: Option<String>,
+    /// Tasks of one array at most: MaxArraySize of the site
+    #[arg(long, value_name = "N", default_value_t = 1001, value_parser = clap::value_parser!(u64).range(1..=4_000_001))]
+    pub max_array: u64,
 }

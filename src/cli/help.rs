@@ -179,3 +179,18 @@ Examples:
 
 JSON fields (--json): parts, done, missing (when there are any), and those of count or list. \
 seconds is the sum over the parts.";
+
+/// Examples for `cluster`.
+pub const CLUSTER: &str = "\
+The script is run with sh, once; options after its name go to the scheduler. Run it again when \
+parts are missing: finished parts end at once, the others go on from their checkpoints. Paths in \
+it are absolute; plan and parts lie on a disk that all nodes share.
+
+Examples:
+  tilepack plan --kind wang --colors 2 --parts 64 -o plan.json
+  tilepack cluster slurm plan.json --time 24:00:00 -o plan.slurm
+  sh plan.slurm --partition=long
+  tilepack merge plan.json
+
+  tilepack cluster hyperqueue plan.json --threads 4 -o plan.hq; sh plan.hq
+  tilepack cluster parallel plan.json -o plan.parallel; sh plan.parallel --eta";

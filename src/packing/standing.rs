@@ -12,6 +12,7 @@ use super::solve::SolveError;
 use super::{Labeled, Settings};
 use crate::search::{self, Alternatives, InPart, Limits, Path, Plan, State, Stop, Trail};
 use num_bigint::BigUint;
+use std::time::Instant;
 
 /// What a search stands at.
 #[derive(Debug, Clone, PartialEq)]
@@ -108,24 +109,23 @@ impl Search<'_> {
                 standing.state.try_map(|trail| trail.path(&mut problem))?
             }
         };
-        let first_node = state.nodes;
+        let (first_node, before, begin) = (state.nodes, state.elapsed, Instant::now());
+        let due = Due(settings.keeper);
+        let stop = (settings.limits.stop, &due);
+        let mut plan = Plan::simple(problem, job.values);
+        (plan.threads, plan.watch) = (settings.threads, settings.watch);
         if state.is_complete() {
             return Ok(leaves.standing(&state, levels));
         }
         loop {
             let visited = state.nodes - first_node;
-            let due = Due(settings.keeper);
-            let stop = (settings.limits.stop, &due);
             let nodes = settings.limits.nodes - visited;
-            let plan = Plan {
-                threads: settings.threads,
-                limits: Limits { stop: &stop, nodes },
-                watch: settings.watch,
-                ..Plan::simple(problem.clone(), job.values)
-            };
+            plan.limits = Limits { stop: &stop, nodes };
             let sink;
-            (state, sink) = search::run(plan, state, || Leaves::new(purpose.clone()));
+            (state, sink) = search::run(&mut plan, state, || Leaves::new(purpose.clone()));
             search::Sink::<P>::join(&mut leaves, sink);
+            // Also the time between two runs.
+            state.elapsed = before + begin.elapsed();
             let visited = state.nodes - first_node;
             let over = visited >= settings.limits.nodes || settings.limits.stop.should_stop();
             let standing = leaves.standing(&state, levels);

@@ -31,6 +31,9 @@ const NAP: Duration = Duration::from_micros(50);
 pub struct Plan<'a, P: Problem> {
     /// The problem, without choices.
     pub problem: P,
+    /// Copies of it for threads to work on, made when needed and kept from one run to the next:
+    /// the tables of a large problem take longer to copy than a search may pause.
+    pub copies: Vec<P>,
     /// The order of alternatives.
     pub values: Values,
     /// The number of threads, at least 1.
@@ -44,7 +47,14 @@ pub struct Plan<'a, P: Problem> {
 impl<P: Problem> Plan<'_, P> {
     /// One thread, without limits or reports.
     pub fn simple(problem: P, values: Values) -> Self {
-        Self { problem, values, threads: 1, limits: Limits::NONE, watch: &|_| {} }
+        Self {
+            problem,
+            copies: Vec::new(),
+            values,
+            threads: 1,
+            limits: Limits::NONE,
+            watch: &|_| {},
+        }
     }
 }
 
@@ -85,7 +95,7 @@ struct Shared<A, F> {
 /// # Panics
 /// Only if the problem or the sink does; the panic of any thread is passed on.
 pub fn run<P, S>(
-    plan: Plan<'_, P>,
+    plan: &mut Plan<'_, P>,
     state: State<Path<P::Alternatives>, S::Found>,
     sink: impl Fn() -> S,
 ) -> (State<Path<P::Alternatives>, S::Found>, S)
@@ -96,22 +106,24 @@ where
     let begin = Instant::now();
     let threads = plan.threads.max(1);
     let before = state.elapsed;
-    let shared = Shared::new(&plan, state, threads);
+    let shared = Shared::new(plan, state, threads);
+    let mut copies = std::mem::take(&mut plan.copies).into_iter();
     let levels = plan.problem.levels();
     let (done, finished) = bounded::<()>(0);
-    let mut joined = sink();
+    let (mut joined, mut kept) = (sink(), Vec::with_capacity(threads));
     std::thread::scope(|scope| {
         let mut handles = Vec::with_capacity(threads);
         for id in 0..threads {
             let (shared, values) = (&shared, plan.values);
             let worker = Worker { id, shared, values, slice: SLICE, tick: 0, found: 0 };
-            let (problem, sink, done) = (&plan.problem, sink(), done.clone());
+            let (problem, copy) = (&plan.problem, copies.next());
+            let (sink, done) = (sink(), done.clone());
             handles.push(scope.spawn(move || {
                 let _guard = StopOnPanic(&shared.stop);
                 // Dropped at the end, also by a panic: that wakes the caller.
                 let _done = done;
                 // Cloned by the thread itself, so that its memory is not shared with others'.
-                worker.work(problem.clone(), sink)
+                worker.work(copy.unwrap_or_else(|| problem.clone()), sink)
             }));
         }
         drop(done);
@@ -135,11 +147,15 @@ where
         }
         for handle in handles {
             match handle.join() {
-                Ok(sink) => joined.join(sink),
+                Ok((copy, sink)) => {
+                    kept.push(copy);
+                    joined.join(sink);
+                }
                 Err(panic) => std::panic::resume_unwind(panic),
             }
         }
     });
+    plan.copies = kept;
     (shared.state(plan.values, before + begin.elapsed()), joined)
 }
 
@@ -167,8 +183,8 @@ struct Worker<'a, A, F> {
 }
 
 impl<A: Alternatives, F: Send> Worker<'_, A, F> {
-    /// Walks parts until none is left or the search stops.
-    fn work<P, S>(mut self, mut problem: P, mut sink: S) -> S
+    /// Walks parts until none is left or the search stops; gives the problem back without choices.
+    fn work<P, S>(mut self, mut problem: P, mut sink: S) -> (P, S)
     where
         P: Problem<Alternatives = A>,
         S: Sink<P, Found = F>,
@@ -195,7 +211,7 @@ impl<A: Alternatives, F: Send> Worker<'_, A, F> {
             }
             shared.pending.fetch_sub(1, SeqCst);
         }
-        sink
+        (walk.into_problem(), sink)
     }
 
     /// Waits for a path; `None` when the search is over.
@@ -311,17 +327,16 @@ impl Remaining {
 }
 
 impl<A: Alternatives, F> Shared<A, F> {
-    fn new<P>(plan: &Plan<'_, P>, state: State<Path<A>, F>, threads: usize) -> Self
+    fn new<P>(plan: &mut Plan<'_, P>, state: State<Path<A>, F>, threads: usize) -> Self
     where
         P: Problem<Alternatives = A>,
     {
         let queue = Injector::new();
         let (pending, mut queued) = (state.left.len(), 0.0);
-        let mut problem = plan.problem.clone();
         for path in state.left {
-            path.replay(&mut problem);
-            let remaining = path.remaining(&mut problem);
-            path.rewind(&mut problem);
+            path.replay(&mut plan.problem);
+            let remaining = path.remaining(&mut plan.problem);
+            path.rewind(&mut plan.problem);
             queued += remaining;
             queue.push((path, remaining));
         }

@@ -72,6 +72,12 @@ impl<P: Problem> Walk<P> {
         std::mem::replace(&mut self.path, path)
     }
 
+    /// The problem, without choices.
+    pub fn into_problem(mut self) -> P {
+        self.path.rewind(&mut self.problem);
+        self.problem
+    }
+
     /// Walks on for at most `budget` nodes.
     pub fn run<S: Sink<P>>(&mut self, budget: u64, sink: &mut S) -> Slice<S::Found> {
         let values = self.values;

@@ -121,7 +121,7 @@ struct Totals(Vec<(u64, u64, usize)>);
 impl Visitor for Totals {
     fn visit<P: Labeled>(&mut self, problem: P) {
         let whole = State::whole(&mut problem.clone());
-        let (state, _) = run(Plan::simple(problem, Values::Lexicographic), whole, || Count);
+        let (state, _) = run(&mut Plan::simple(problem, Values::Lexicographic), whole, || Count);
         assert!(state.is_complete());
         self.0.push((state.nodes, state.solutions, state.deepest));
     }

@@ -156,8 +156,8 @@ fn searched<S: Sink<Tree>>(
     sink: fn() -> S,
 ) -> (State<Path<Words<1>>, S::Found>, S) {
     let whole = State::whole(&mut tree.clone());
-    let plan = Plan { threads, limits, ..Plan::simple(tree, Values::Lexicographic) };
-    run(plan, whole, sink)
+    let mut plan = Plan { threads, limits, ..Plan::simple(tree, Values::Lexicographic) };
+    run(&mut plan, whole, sink)
 }
 
 #[test]

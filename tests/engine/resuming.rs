@@ -40,7 +40,7 @@ fn in_pieces<P: Problem>(
     for (piece, threads) in pieces {
         let before = state.nodes;
         let all;
-        (state, all) = run(plan(problem, values, threads, piece), state, All::default);
+        (state, all) = run(&mut plan(problem, values, threads, piece), state, All::default);
         let visited = state.nodes - before;
         assert!(visited <= piece);
         assert!(threads > 1 || state.is_complete() || visited == piece, "exact on one thread");
@@ -133,7 +133,7 @@ fn first_in_pieces(
 ) -> (Effort, Option<Vec<u32>>) {
     let mut state = State::whole(&mut tree.clone());
     for (piece, threads) in pieces {
-        (state, _) = run(plan(tree, values, threads, piece), state, || First);
+        (state, _) = run(&mut plan(tree, values, threads, piece), state, || First);
         assert!(state.records.len() <= state.left.len() + 1, "{state:?}");
         if state.is_complete() {
             return (state.effort(), state.best.map(|best| best.found));
@@ -198,10 +198,10 @@ fn a_flag_stops_a_long_search_at_once() {
         let stop = (After(&flag), ());
         let limits = Limits { stop: &stop, nodes: u64::MAX };
         let tree = Tree::new(30, endless);
-        let plan =
+        let mut plan =
             Plan { threads, limits, watch: &watch, ..Plan::simple(tree, Values::Lexicographic) };
         let whole = State::whole(&mut plan.problem.clone());
-        let (state, _) = run(plan, whole, || Count);
+        let (state, _) = run(&mut plan, whole, || Count);
         assert!(set.elapsed() < Duration::from_secs(1), "{:?}", set.elapsed());
         assert!(!state.is_complete() && state.nodes > 0);
     }
@@ -211,10 +211,10 @@ fn a_flag_stops_a_long_search_at_once() {
 fn a_deadline_stops_too() {
     let deadline = Instant::now() + Duration::from_millis(100);
     let limits = Limits { stop: &deadline, nodes: u64::MAX };
-    let plan =
+    let mut plan =
         Plan { limits, threads: 2, ..Plan::simple(Tree::new(30, endless), Values::Random(1)) };
     let whole = State::whole(&mut plan.problem.clone());
-    let (state, _) = run(plan, whole, || Count);
+    let (state, _) = run(&mut plan, whole, || Count);
     assert!(!state.is_complete() && deadline.elapsed() < Duration::from_secs(1));
 }
 
@@ -226,16 +226,16 @@ fn what_a_stopped_search_leaves_completes_it() {
         fn visit<P: Labeled>(&mut self, problem: P) {
             let values = Values::Lexicographic;
             let root = || State::whole(&mut problem.clone());
-            let (whole, _) = run(plan(&problem, values, 1, u64::MAX), root(), || Count);
+            let (whole, _) = run(&mut plan(&problem, values, 1, u64::MAX), root(), || Count);
             for threads in [1, 2, 3, 8] {
                 let flag = AtomicBool::new(false);
                 let watch = |_: &Progress| flag.store(true, Ordering::SeqCst);
                 let limits = Limits { stop: &flag, nodes: u64::MAX };
                 let all = plan(&problem, values, threads, u64::MAX);
-                let (part, _) = run(Plan { limits, watch: &watch, ..all }, root(), || Count);
+                let (part, _) = run(&mut Plan { limits, watch: &watch, ..all }, root(), || Count);
                 let before = part.elapsed;
-                let rest = plan(&problem, values, 9 - threads, u64::MAX);
-                let (rest, _) = run(rest, saved(&problem, part), || Count);
+                let mut rest = plan(&problem, values, 9 - threads, u64::MAX);
+                let (rest, _) = run(&mut rest, saved(&problem, part), || Count);
                 assert!(rest.is_complete() && rest.elapsed >= before);
                 assert_eq!(rest.effort(), whole.effort(), "{threads}");
             }

@@ -13,7 +13,7 @@ use tilepack::search::{
 
 /// Searches the whole tree of a plan.
 fn run<S: Sink<Tree>>(
-    plan: Plan<'_, Tree>,
+    plan: &mut Plan<'_, Tree>,
     sink: impl Fn() -> S,
 ) -> (State<Path<Words<1>>, S::Found>, S) {
     let whole = State::whole(&mut plan.problem.clone());
@@ -56,12 +56,12 @@ fn rare(choices: &[u32]) -> u64 {
 #[test]
 fn counts_and_lists_do_not_depend_on_threads() {
     for values in [Values::Lexicographic, Values::Random(1)] {
-        let (one, all) = run(plan(Tree::new(13, irregular), values, 1), All::default);
+        let (one, all) = run(&mut plan(Tree::new(13, irregular), values, 1), All::default);
         let mut solutions = all.0;
         solutions.sort_unstable();
         for threads in [2, 3, 8, 8, 8] {
             let tree = Tree { at: dawdle, ..Tree::new(13, irregular) };
-            let (several, all) = run(plan(tree, values, threads), All::default);
+            let (several, all) = run(&mut plan(tree, values, threads), All::default);
             assert_eq!(figures(&several), figures(&one));
             let mut others = all.0;
             others.sort_unstable();
@@ -75,14 +75,14 @@ fn the_first_solution_does_not_depend_on_pace() {
     let mut before = 0;
     for seed in 0..6 {
         let values = if seed == 0 { Values::Lexicographic } else { Values::Random(seed) };
-        let (one, _) = run(plan(Tree::new(17, rare), values, 1), || First);
+        let (one, _) = run(&mut plan(Tree::new(17, rare), values, 1), || First);
         assert!(one.best.is_some());
         before += figures(&one).nodes;
         for (pace, threads) in
             [(dawdle as fn(&[u32]), 3), (slow_start, 8), (slow_start, 2), (|_| {}, 8)]
         {
             let tree = Tree { at: pace, ..Tree::new(17, rare) };
-            let (several, _) = run(plan(tree, values, threads), || First);
+            let (several, _) = run(&mut plan(tree, values, threads), || First);
             assert_eq!(several.best, one.best, "{values:?} {threads}");
             assert_eq!(figures(&several), figures(&one), "{values:?} {threads}");
         }
@@ -97,8 +97,8 @@ fn limits_on_nodes() {
         for threads in [1, 2, 8] {
             let limits = Limits { nodes, ..Limits::NONE };
             let tree = Tree::new(30, |_| 0b111);
-            let plan = Plan { limits, ..plan(tree, Values::Lexicographic, threads) };
-            let (state, _) = run(plan, || Count);
+            let mut plan = Plan { limits, ..plan(tree, Values::Lexicographic, threads) };
+            let (state, _) = run(&mut plan, || Count);
             assert!(!state.is_complete());
             assert!(state.nodes <= nodes && (threads > 1 || state.nodes == nodes), "{nodes}");
         }
@@ -119,7 +119,8 @@ fn progress_never_falls() {
         *last = now;
     };
     let tree = Tree { at: slow_start, ..Tree::new(15, irregular) };
-    let (state, _) = run(Plan { watch: &watch, ..plan(tree, Values::Lexicographic, 3) }, || Count);
+    let (state, _) =
+        run(&mut Plan { watch: &watch, ..plan(tree, Values::Lexicographic, 3) }, || Count);
     let (fraction, nodes, _) = *last.lock().unwrap();
     assert!(fraction > 0.0 && nodes > 0 && nodes <= state.nodes);
 }
@@ -143,7 +144,7 @@ fn a_panic_of_the_problem_is_passed_on() {
         let at = |choices: &[u32]| assert!(choices != [0, 1, 2, 3, 3], "broken problem");
         let tree = Tree { at, ..Tree::new(12, endless) };
         let message = panic_of(|| {
-            run(plan(tree, Values::Lexicographic, threads), || Count);
+            run(&mut plan(tree, Values::Lexicographic, threads), || Count);
         });
         assert_eq!(message, "broken problem");
     }
@@ -172,7 +173,7 @@ fn a_panic_of_the_sink_is_passed_on() {
     for threads in [1, 2, 8] {
         let solutions = AtomicU64::new(0);
         let message = panic_of(|| {
-            run(plan(Tree::new(25, endless), Values::Lexicographic, threads), || {
+            run(&mut plan(Tree::new(25, endless), Values::Lexicographic, threads), || {
                 Fragile(&solutions)
             });
         });
@@ -195,13 +196,15 @@ fn a_panic_of_the_caller_is_passed_on() {
         let message = panic_of(|| {
             let watch = |_: &Progress| panic!("broken watch");
             let tree = Tree::new(30, endless);
-            run(Plan { watch: &watch, ..plan(tree, Values::Lexicographic, threads) }, || Count);
+            run(&mut Plan { watch: &watch, ..plan(tree, Values::Lexicographic, threads) }, || {
+                Count
+            });
         });
         assert_eq!(message, "broken watch");
         let message = panic_of(|| {
             let limits = Limits { stop: &Broken, nodes: u64::MAX };
             let tree = Tree::new(30, endless);
-            run(Plan { limits, ..plan(tree, Values::Lexicographic, threads) }, || Count);
+            run(&mut Plan { limits, ..plan(tree, Values::Lexicographic, threads) }, || Count);
         });
         assert_eq!(message, "broken stop");
     }
