@@ -109,8 +109,8 @@ impl How {
         problem: P,
         state: State<tilepack::search::Path<P::Alternatives>, Infallible>,
     ) -> Came {
-        let plan = Plan { threads: self.threads, ..Plan::simple(problem, self.values) };
-        let (state, All(mut solutions)) = run(plan, state, All::default);
+        let mut plan = Plan { threads: self.threads, ..Plan::simple(problem, self.values) };
+        let (state, All(mut solutions)) = run(&mut plan, state, All::default);
         assert!(state.is_complete());
         assert_eq!(state.solutions, solutions.len() as u64);
         solutions.sort_unstable();
