@@ -4,6 +4,7 @@
 //! here and read in [`super::problem`], where errors can say more.
 
 use super::{cluster, duration, help};
+use crate::store::MAX_PARTS;
 use crate::tiles::Kind;
 use crate::torus::Order;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
@@ -286,7 +287,7 @@ pub struct PlanArgs {
     #[arg(long, help_heading = "Search")]
     pub up_to_symmetry: bool,
     /// Number of parts
-    #[arg(long, value_name = "M", value_parser = clap::value_parser!(u64).range(1..=1_000_000), help_heading = "Parts")]
+    #[arg(long, value_name = "M", value_parser = clap::value_parser!(u64).range(1..=MAX_PARTS), help_heading = "Parts")]
     pub parts: u64,
     /// Choices that lead to the nodes dealt out to the parts [default: the fewest that lead to
     /// enough of them, the same for any M up to 4096]

@@ -156,8 +156,8 @@ depth, and above it).";
 /// Examples for `run`.
 pub const RUN: &str = "\
 May be run again at any time: a part that is done ends at once with 0, one that was stopped goes \
-on from its checkpoint, one that another process is at work on is refused with 2. A signal or a \
-limit saves the part and exits with 75. DIR then holds part-R.result.json, and before that \
+on from its checkpoint, one that another process is at work on is left to it with 75. A signal or \
+a limit saves the part and exits with 75. DIR then holds part-R.result.json, and before that \
 part-R.checkpoint.
 
 Examples:

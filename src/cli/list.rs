@@ -44,21 +44,27 @@ pub fn answer(
         None => session.run(job, request, save)?,
     };
     let packings = listed(job, std::mem::take(&mut done.standing.kept));
-    tell(job, request, &done, &packings, reason.as_deref())?;
-    let found = describe::number(packings.len() as u64, describe::sought(&job.task));
-    done.tell_stop(&format!("the list is incomplete, with {found}"));
+    tell(job, request, &done, &packings, reason.as_deref(), &[])?;
+    let number = describe::number(packings.len() as u64, describe::sought(&job.task));
+    done.tell_stop(&format!("the list is incomplete, with {number}"));
     if done.stopped.is_some() {
         return Ok(done.stopped_exit());
     }
-    if packings.is_empty() {
-        let reason = reason.unwrap_or_else(|| describe::nothing(&job.task));
-        session.remark(&format!("none: {reason}"));
-    } else {
-        let conditions = describe::conditions(&job.task);
-        let what = if job.up_to_symmetry() { " up to symmetry" } else { "" };
-        session.remark(&format!("{found}{conditions}{what} listed: {}", done.effort()));
-    }
+    session.remark(&found(job, &done, &packings, reason.as_deref()));
     Ok(Exit::of(!packings.is_empty()))
+}
+
+/// What to say about a list that is complete.
+pub fn found(job: &Job, done: &Done, packings: &[Vec<u8>], reason: Option<&str>) -> String {
+    let task = &job.task;
+    if packings.is_empty() {
+        let reason = reason.map_or_else(|| describe::nothing(task), str::to_owned);
+        return format!("none: {reason}");
+    }
+    let number = describe::number(packings.len() as u64, describe::sought(task));
+    let conditions = describe::conditions(task);
+    let what = if job.up_to_symmetry() { " up to symmetry" } else { "" };
+    format!("{number}{conditions}{what} listed: {}", done.effort())
 }
 
 /// Checks, before any work, that the list can go where it is asked for.
@@ -75,7 +81,7 @@ pub fn check_output(request: &Request) -> anyhow::Result<()> {
     }
 }
 
-/// Writes a list, and what there is to say about it in JSON.
+/// Writes a list, and what there is to say about it in JSON, with more fields at the end.
 ///
 /// # Errors
 /// When a file or standard output cannot be written to.
@@ -85,6 +91,7 @@ pub fn tell(
     done: &Done,
     packings: &[Vec<u8>],
     reason: Option<&str>,
+    more: &[(&'static str, Value)],
 ) -> anyhow::Result<()> {
     match &request.output {
         Some(file) => write_file(file, |out| write(&job.task, packings, out))?,
@@ -98,6 +105,7 @@ pub fn tell(
         ];
         fields.extend(done.fields());
         fields.push(("reason", json!(reason)));
+        fields.extend_from_slice(more);
         output::object(&fields)?;
     }
     Ok(())

@@ -7,13 +7,14 @@ use super::request::Request;
 use super::session::Done;
 use super::{count, describe, list, output, part};
 use crate::cluster::{self, Merged, missing_words};
+use crate::packing::Standing;
 use crate::packing::solve::{Work, counted, listed};
 use crate::store::{Kept, PartFiles, PartResult, SearchPlan};
 use anyhow::{Context, bail};
 use num_bigint::BigUint;
 use serde_json::json;
-use std::fs;
 use std::path::{Path, PathBuf};
+use std::{fs, io};
 
 /// Runs the command.
 ///
@@ -21,8 +22,11 @@ use std::path::{Path, PathBuf};
 /// Results that do not belong together or to the plan, or cannot be read.
 pub fn run(args: &MergeArgs) -> anyhow::Result<Exit> {
     let plan = SearchPlan::read(&args.plan)?;
+    if args.output.is_some() && !plan.job.is_list() {
+        bail!("-o: the plan is for a count, not for a list");
+    }
     let folder = part::folder(&args.plan, args.dir.as_deref());
-    let merged = cluster::merge(&plan, results(&folder)?)?;
+    let merged = cluster::merge(&plan, results(&folder, args.dir.is_some())?)?;
     if !merged.missing.is_empty() {
         return incomplete(args, &plan, &merged);
     }
@@ -33,9 +37,13 @@ pub fn run(args: &MergeArgs) -> anyhow::Result<Exit> {
 }
 
 /// All results in a folder.
-fn results(folder: &Path) -> anyhow::Result<Vec<(PathBuf, PartResult)>> {
+fn results(folder: &Path, asked: bool) -> anyhow::Result<Vec<(PathBuf, PartResult)>> {
     let mut results = Vec::new();
-    let entries = fs::read_dir(folder).with_context(|| folder.display().to_string())?;
+    let entries = match fs::read_dir(folder) {
+        // The folder of the plan itself is made by the first part that runs.
+        Err(error) if error.kind() == io::ErrorKind::NotFound && !asked => return Ok(results),
+        entries => entries.with_context(|| folder.display().to_string())?,
+    };
     for entry in entries {
         let file = entry.with_context(|| folder.display().to_string())?.path();
         let name = file.file_name().unwrap_or_default().to_string_lossy().into_owned();
@@ -66,9 +74,11 @@ fn incomplete(args: &MergeArgs, plan: &SearchPlan, merged: &Merged) -> anyhow::R
         ])?;
     }
     let number = merged.missing.len() as u64;
-    let missing =
-        describe::number(number, "part").replace("part", "part missing") + ": " + &missing;
-    output::remark(&format!("no answer yet: {done} of {} parts are done; {missing}", plan.parts));
+    let parts = describe::number(number, "part");
+    output::remark(&format!(
+        "no answer yet: {done} of {} parts are done; {parts} missing: {missing}",
+        plan.parts
+    ));
     Ok(Exit::Stopped)
 }
 
@@ -84,9 +94,6 @@ fn done(merged: &Merged) -> Done {
 }
 
 fn merged_count(args: &MergeArgs, plan: &SearchPlan, merged: Merged) -> anyhow::Result<Exit> {
-    if args.output.is_some() {
-        bail!("-o: the plan is for a count, not for a list");
-    }
     let (job, done) = (&plan.job, done(&merged));
     let counted = counted(job, &done.standing)?;
     let nothing = counted.packings == BigUint::ZERO;
@@ -112,14 +119,26 @@ fn merged_list(
     list::check_output(&request)?;
     let labels = plan.job.task.lattice().labels();
     let mut kept = Vec::new();
-    for (_, result) in &merged.results {
+    for (file, result) in &merged.results {
         let files = PartFiles::new(folder, result.number, result.of);
-        let extent = result.kept.with_context(|| {
-            format!("{}: does not say which packings it met", files.result.display())
-        })?;
-        kept.extend(Kept::open(files.packings, extent)?.packings(labels)?);
+        let extent = result
+            .kept
+            .with_context(|| format!("{}: does not say which packings it met", file.display()))?;
+        let packings = Kept::open(files.packings, extent)?.packings(labels)?;
+        // Of each solution met one packing, or of each canonical one.
+        let Standing { state, orbits, .. } = &result.standing;
+        let met = if plan.job.up_to_symmetry() { *orbits } else { state.solutions };
+        if packings.len() as u64 != met {
+            bail!("{}: met {met} packings, but {} are kept", file.display(), packings.len());
+        }
+        kept.extend(packings);
     }
     let packings = listed(&plan.job, kept);
-    list::tell(&plan.job, &request, &done(&merged), &packings, None)?;
+    let done = done(&merged);
+    let parts = [("parts", json!(plan.parts)), ("done", json!(merged.results.len()))];
+    list::tell(&plan.job, &request, &done, &packings, None, &parts)?;
+    if !args.quiet {
+        output::remark(&list::found(&plan.job, &done, &packings, None));
+    }
     Ok(Exit::of(!packings.is_empty()))
 }

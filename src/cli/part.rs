@@ -1,7 +1,7 @@
 //! `run`: searches one part of a plan.
 //!
 //! Safe to be run again: a part that is done ends at once, one that was stopped goes on from its
-//! checkpoint, one that another process is at work on is refused. The result takes its name when
+//! checkpoint, one that another process is at work on is refused with 75. The result takes its name when
 //! it is complete on the disk; only then the checkpoint is removed.
 
 use super::args::PartArgs;
@@ -9,7 +9,7 @@ use super::exit::Exit;
 use super::request::Request;
 use super::saving::Save;
 use super::session::Session;
-use super::{duration, output};
+use super::{describe, duration, output};
 use crate::store::{
     Kept, Lock, PartFiles, PartResult, SearchPlan, StoreError, beside, check_writable, previous,
 };
@@ -42,7 +42,12 @@ pub fn run(args: &PartArgs) -> anyhow::Result<Exit> {
     let session = Session::new(&args.run)?;
     let save = Save { file: files.checkpoint.clone(), kept: files.packings.clone() };
     // Held until the result is there and the checkpoint is gone.
-    let lock = Lock::take(&files.result)?;
+    let lock = match Lock::take(&files.result) {
+        Ok(lock) => lock,
+        // Not a mistake: when that process is gone, this one may go on.
+        Err(busy @ StoreError::Locked { .. }) => return busy_elsewhere(args, &plan, &busy),
+        Err(error) => return Err(error.into()),
+    };
     if let Some(result) = finished(&plan, args.part, &files)? {
         return tell(args, &plan, &result, true);
     }
@@ -55,12 +60,20 @@ pub fn run(args: &PartArgs) -> anyhow::Result<Exit> {
                 ("part", json!(args.part)),
                 ("parts", json!(plan.parts)),
                 ("done", json!(0)),
+                ("solutions_met", json!(done.standing.state.solutions.to_string())),
             ];
             fields.extend(done.fields());
             output::object(&fields)?;
         }
+        let exit = done.stopped_exit();
+        // Not to be gone on with by itself: only with its plan it comes to a result.
+        done.saved = done.saved.filter(Result::is_err);
         done.tell_stop("run it again to go on");
-        return Ok(done.stopped_exit());
+        return Ok(exit);
+    }
+    // Then packings met may be missing from their file, whatever could be written since.
+    if let (true, Some(Err(error))) = (job.is_list(), done.saved) {
+        return Err(error.into());
     }
     done.standing.kept.clear();
     let kept = done.kept;
@@ -79,6 +92,21 @@ pub fn run(args: &PartArgs) -> anyhow::Result<Exit> {
     }
     drop(lock);
     tell(args, &plan, &result, false)
+}
+
+/// Another process is at work on the part.
+fn busy_elsewhere(args: &PartArgs, plan: &SearchPlan, busy: &StoreError) -> anyhow::Result<Exit> {
+    if args.json {
+        output::object(&[
+            ("result", json!("stopped")),
+            ("part", json!(args.part)),
+            ("parts", json!(plan.parts)),
+            ("done", json!(0)),
+            ("stopped_by", json!("lock")),
+        ])?;
+    }
+    output::remark(&busy.to_string());
+    Ok(Exit::Stopped)
 }
 
 /// The result of a part, if it is there and belongs to the plan.
@@ -123,10 +151,10 @@ fn tell(
     } else if !args.run.quiet {
         let when = if before { "was done before" } else { "done" };
         output::remark(&format!(
-            "part {} of {} {when}: {} solutions met, {} nodes in {}",
+            "part {} of {} {when}: {} met, {} nodes in {}",
             result.number,
             plan.parts,
-            state.solutions,
+            describe::number(state.solutions, "solution"),
             state.nodes,
             duration::words(state.elapsed)
         ));

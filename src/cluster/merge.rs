@@ -64,6 +64,14 @@ pub enum MergeError {
         /// The result.
         file: PathBuf,
     },
+    /// More than this program can add up.
+    #[error("{}: with it the sum of {what} is beyond all measure", .file.display())]
+    TooMuch {
+        /// The result.
+        file: PathBuf,
+        /// What is summed.
+        what: &'static str,
+    },
     /// Parts made by versions of the program that may not agree.
     #[error("{}: was made by version {found}, {} by version {expected}", .file.display(), .other.display())]
     Version {
@@ -97,7 +105,7 @@ pub fn merge(
         if number >= plan.parts || of != plan.parts {
             return Err(MergeError::Number { file: file(), number, of, parts: plan.parts });
         }
-        if result.standing.levels > 0 && result.standing.state.nodes < plan.frontier.above {
+        if result.standing.state.nodes < plan.frontier.above {
             return Err(MergeError::Nodes { file: file() });
         }
     }
@@ -114,16 +122,25 @@ pub fn merge(
         }
     }
     let mut sum = Standing::nothing();
-    for (_, result) in &results {
+    for (file, result) in &results {
         let Standing { state, levels, orbits, orbit_sizes, .. } = &result.standing;
-        let first = sum.state.nodes == 0;
-        sum.state.nodes += state.nodes - if first { 0 } else { plan.frontier.above };
-        sum.state.solutions += state.solutions;
+        // A wrong number would be worse than none.
+        let add = |a: u64, b: u64, what| {
+            a.checked_add(b).ok_or_else(|| MergeError::TooMuch { file: file.clone(), what })
+        };
+        let own = state.nodes - plan.frontier.above;
+        sum.state.nodes = add(sum.state.nodes, own, "nodes")?;
+        sum.state.solutions = add(sum.state.solutions, state.solutions, "solutions")?;
         sum.state.deepest = sum.state.deepest.max(state.deepest);
-        sum.state.elapsed += state.elapsed;
+        sum.state.elapsed = sum.state.elapsed.saturating_add(state.elapsed);
         sum.levels = sum.levels.max(*levels);
-        sum.orbits += orbits;
+        sum.orbits = add(sum.orbits, *orbits, "orbits")?;
         sum.orbit_sizes += orbit_sizes;
+    }
+    if let Some((file, _)) = results.first() {
+        let above = sum.state.nodes.checked_add(plan.frontier.above);
+        let too_much = || MergeError::TooMuch { file: file.clone(), what: "nodes" };
+        sum.state.nodes = above.ok_or_else(too_much)?;
     }
     let is_there =
         |number: &u64| results.binary_search_by_key(number, |(_, result)| result.number).is_ok();

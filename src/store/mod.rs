@@ -46,7 +46,7 @@ pub use keeping::{Keeping, Report, Writer, Written};
 pub use kept::{Extent, Kept};
 pub use lock::Lock;
 pub use pins::read_pins;
-pub use plan::{PartFiles, PartResult, SearchPlan};
+pub use plan::{MAX_PARTS, PartFiles, PartResult, SearchPlan};
 pub use read::{Input, MAX_BYTES};
 pub use sealed::hexadecimal;
 pub use solution::{FORMAT, Layout, Solution, write_solution};

@@ -6,13 +6,16 @@
 
 use super::sealed::{read_sealed, write_sealed};
 use super::{Extent, StoreError, read_job, write_job};
-use crate::packing::{Job, Standing};
+use crate::packing::{Job, Question, Standing};
 use crate::search::{Frontier, Part, State};
 use num_bigint::BigUint;
 use serde::{Deserialize, Serialize};
 use serde_json::value::RawValue;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
+
+/// The largest number of parts. A merge looks at every one of them.
+pub const MAX_PARTS: u64 = 1_000_000;
 
 const PLAN: &str = "tilepack-plan/1";
 const PART: &str = "tilepack-part/1";
@@ -69,8 +72,12 @@ impl SearchPlan {
         let wrong = |message: String| StoreError::Content { file: file.into(), message };
         let job = read_job(text.search.get()).map_err(wrong)?;
         let PlanText { parts, depth, frontier, above, .. } = text;
-        if parts == 0 || depth == 0 {
-            return Err(wrong("a plan has at least one part and one choice".into()));
+        if parts == 0 || parts > MAX_PARTS || depth == 0 {
+            let range = format!("a plan has 1 to {MAX_PARTS} parts, cut below at least one choice");
+            return Err(wrong(range));
+        }
+        if job.part.is_some() || job.question == Question::First {
+            return Err(wrong("a plan divides a whole count or list".into()));
         }
         Ok(Self { job, parts, frontier: Frontier { depth, nodes: frontier, above }, name })
     }
@@ -199,6 +206,10 @@ impl PartResult {
         };
         let kept = text.packings.map(extent).transpose()?;
         let (number, of) = (text.part, text.parts);
+        if number >= of || of > MAX_PARTS {
+            let message = format!("there is no part {number} of {of}");
+            return Err(StoreError::Content { file: file.into(), message });
+        }
         Ok(Self { plan: text.plan, number, of, standing, kept, version: text.version })
     }
 }

@@ -3,7 +3,8 @@
 use crate::{bare, corner_2, input, written};
 use serde_json::{Value, json};
 use tilepack::store::{
-    Claim, Layout, read_pins, read_solution, read_tile_set, solutions, write_grid, write_solution,
+    Claim, Layout, PartResult, SearchPlan, read_pins, read_solution, read_tile_set, solutions,
+    write_grid, write_solution,
 };
 use tilepack::tiles::Kind;
 use tilepack::verify::check;
@@ -14,9 +15,17 @@ fn examples(page: &str) -> Vec<(&str, &str)> {
     blocks.map(|block| block.split_once('\n').unwrap()).collect()
 }
 
+/// A file that is read only from the disk.
+fn on_disk(text: &str) -> tempfile::NamedTempFile {
+    let file = tempfile::NamedTempFile::new().unwrap();
+    std::fs::write(file.path(), text).unwrap();
+    file
+}
+
 #[test]
 fn every_example_in_the_documentation_is_read() {
     let mut seen = Vec::new();
+    let mut name = String::new();
     for (language, text) in examples(include_str!("../../docs/formats.md")) {
         let input = input(text);
         let claim = match language {
@@ -40,11 +49,27 @@ fn every_example_in_the_documentation_is_read() {
             "json tile-set" => {
                 assert_eq!(read_tile_set(&input, None).unwrap().set.size(), 3, "{text}");
             }
+            "json plan" => {
+                let file = on_disk(text);
+                let plan = SearchPlan::read(file.path()).unwrap();
+                assert_eq!((plan.parts, plan.frontier.depth), (7, 9));
+                // It is written as it is shown.
+                plan.write(file.path()).unwrap();
+                assert_eq!(std::fs::read_to_string(file.path()).unwrap(), text);
+                name = plan.name;
+            }
+            "json part" => {
+                let file = on_disk(text);
+                let part = PartResult::read(file.path()).unwrap();
+                assert_eq!((part.plan.as_str(), part.number, part.of), (name.as_str(), 0, 7));
+                part.write(file.path()).unwrap();
+                assert_eq!(std::fs::read_to_string(file.path()).unwrap(), text);
+            }
             other => panic!("an example of an unknown sort: {other}"),
         }
         seen.push(language);
     }
-    assert_eq!(seen.len(), 15);
+    assert_eq!(seen.len(), 17);
 }
 
 #[test]
