@@ -10,7 +10,7 @@ use super::job::Job;
 use super::sinks::{Leaves, Purpose};
 use super::solve::SolveError;
 use super::{Labeled, Settings};
-use crate::search::{self, Alternatives, InPart, Limits, Path, Plan, State, Stop, Trail};
+use crate::search::{self, Alternatives, Limits, Path, Plan, State, Stop, Trail};
 use num_bigint::BigUint;
 use std::time::Instant;
 
@@ -77,32 +77,15 @@ impl Visitor for Search<'_> {
     type Output = Standing;
 
     fn visit<P: Labeled>(self, problem: Option<P>) -> Result<Standing, SolveError> {
-        match (problem, self.job.part) {
-            (None, _) => Ok(Standing::nothing()),
-            (Some(mut problem), None) => {
-                let whole = State::whole(&mut problem);
-                self.over(problem, whole)
-            }
-            (Some(problem), Some(part)) => {
-                let mut problem = InPart::new(problem, part);
-                let whole = problem.state();
-                self.over(problem, whole)
-            }
-        }
-    }
-}
-
-impl Search<'_> {
-    fn over<P: Labeled>(
-        self,
-        mut problem: P,
-        whole: State<Path<P::Alternatives>, Vec<u8>>,
-    ) -> Result<Standing, SolveError> {
+        let Some(mut problem) = problem else { return Ok(Standing::nothing()) };
         let Self { job, from, settings, purpose } = self;
         let levels = problem.levels();
         let mut leaves = Leaves::new(purpose.clone());
         let mut state = match from {
-            None => whole,
+            None => match job.part {
+                None => State::whole(&mut problem),
+                Some(part) => State::part(&mut problem, part),
+            },
             Some(standing) => {
                 (leaves.orbits, leaves.orbit_sizes) = (standing.orbits, standing.orbit_sizes);
                 leaves.kept = standing.kept;
@@ -114,6 +97,7 @@ impl Search<'_> {
         let stop = (settings.limits.stop, &due);
         let mut plan = Plan::simple(problem, job.values);
         (plan.threads, plan.watch) = (settings.threads, settings.watch);
+        plan.part = job.part;
         if state.is_complete() {
             return Ok(leaves.standing(&state, levels));
         }
@@ -159,11 +143,5 @@ impl Leaves {
             orbit_sizes: self.orbit_sizes.clone(),
             kept: std::mem::take(&mut self.kept),
         }
-    }
-}
-
-impl<P: Labeled> Labeled for InPart<P> {
-    fn write_labels(&self, labels: &mut Vec<u8>) {
-        self.problem().write_labels(labels);
     }
 }

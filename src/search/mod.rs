@@ -27,7 +27,7 @@ pub mod values;
 pub mod walk;
 
 pub use alternatives::{Alternatives, Words};
-pub use part::{Frontier, InPart, Part, cut, frontier};
+pub use part::{Frontier, Part, cut, frontier};
 pub use path::Path;
 pub use pool::{Plan, run};
 pub use problem::Problem;

@@ -10,7 +10,7 @@
 //! and must be counted once.
 
 use super::values::scramble;
-use super::{Alternatives, Count, Problem, Slice, State, Values, Walk};
+use super::{Alternatives, Path, Problem, Sink, Slice, Values, Walk};
 
 /// One of several parts of a search.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -24,9 +24,29 @@ pub struct Part {
 }
 
 impl Part {
-    /// Whether a node of the frontier with this hash belongs to the part.
-    fn holds(&self, hash: u64) -> bool {
-        hash % self.of == self.number
+    /// The level at whose alternatives parts differ.
+    pub(super) fn level(self) -> usize {
+        self.depth.saturating_sub(1)
+    }
+
+    /// Of the alternatives after some choices those that belong to the part: all but at its level.
+    pub(super) fn of<A: Alternatives>(self, choices: &[u32], alternatives: A) -> A {
+        if choices.len() != self.level() {
+            return alternatives;
+        }
+        let parent = choices.iter().fold(ROOT, |hash, &choice| child(hash, choice));
+        let mut ours = alternatives;
+        for choice in alternatives.numbers() {
+            if child(parent, choice) % self.of != self.number {
+                ours.remove(choice);
+            }
+        }
+        ours
+    }
+
+    /// The same part of a search of so many levels, of which a frontier is not below the last.
+    pub(super) fn within(self, levels: usize) -> Self {
+        Self { depth: self.depth.clamp(1, levels.max(1)), ..self }
     }
 }
 
@@ -38,70 +58,6 @@ const ROOT: u64 = 0;
 /// Part of the format of plans: it may never change.
 fn child(parent: u64, choice: u32) -> u64 {
     scramble(parent ^ scramble(u64::from(choice) + 1))
-}
-
-/// A problem cut down to one part of its frontier.
-#[derive(Debug, Clone)]
-pub struct InPart<P> {
-    problem: P,
-    part: Part,
-    /// The hashes of the nodes on the path, as far as the frontier.
-    hashes: Vec<u64>,
-}
-
-impl<P: Problem> InPart<P> {
-    /// The part of a problem without choices; one deeper than the problem is cut at its last level.
-    pub fn new(problem: P, part: Part) -> Self {
-        let depth = part.depth.clamp(1, problem.levels().max(1));
-        Self { problem, part: Part { depth, ..part }, hashes: vec![ROOT; depth + 1] }
-    }
-
-    /// What there is to visit. A problem without levels is all in part 0.
-    pub fn state<F>(&mut self) -> State<super::Path<P::Alternatives>, F> {
-        if self.problem.levels() == 0 && self.part.number > 0 {
-            return State::start(Vec::new());
-        }
-        State::whole(self)
-    }
-
-    /// The problem itself.
-    pub fn problem(&self) -> &P {
-        &self.problem
-    }
-}
-
-impl<P: Problem> Problem for InPart<P> {
-    type Alternatives = P::Alternatives;
-
-    fn levels(&self) -> usize {
-        self.problem.levels()
-    }
-
-    #[inline(always)]
-    fn alternatives(&mut self, level: usize) -> P::Alternatives {
-        let mut alternatives = self.problem.alternatives(level);
-        if level + 1 == self.part.depth {
-            for choice in alternatives.numbers() {
-                if !self.part.holds(child(self.hashes[level], choice)) {
-                    alternatives.remove(choice);
-                }
-            }
-        }
-        alternatives
-    }
-
-    #[inline(always)]
-    fn push(&mut self, level: usize, choice: u32) {
-        if level < self.part.depth {
-            self.hashes[level + 1] = child(self.hashes[level], choice);
-        }
-        self.problem.push(level, choice);
-    }
-
-    #[inline(always)]
-    fn pop(&mut self, level: usize, choice: u32) {
-        self.problem.pop(level, choice);
-    }
 }
 
 /// Where a tree is cut.
@@ -118,11 +74,12 @@ pub struct Frontier {
 /// The first depth with at least `wanted` nodes, or if there is none, the first with the most.
 ///
 /// It depends on the tree alone. A problem without levels has the frontier of depth 1 without
-/// nodes.
-pub fn frontier<P: Problem>(problem: &P, wanted: u64) -> Frontier {
+/// nodes. `sink` is told of the nodes of frontiers as if they were solutions, and must never
+/// break off.
+pub fn frontier<P: Problem>(problem: &P, wanted: u64, sink: &mut impl Sink<P>) -> Frontier {
     let mut widest = Frontier { depth: 1, nodes: 0, above: 0 };
     for depth in 1..=problem.levels() {
-        let found = cut(problem, depth);
+        let found = cut(problem, depth, sink);
         if found.nodes > widest.nodes {
             widest = found;
         }
@@ -133,39 +90,14 @@ pub fn frontier<P: Problem>(problem: &P, wanted: u64) -> Frontier {
     widest
 }
 
-/// The frontier at a depth, which is no more than the levels of the problem.
-pub fn cut<P: Problem>(problem: &P, depth: usize) -> Frontier {
-    let top = Top { problem: problem.clone(), depth };
-    let mut walk = Walk::whole(top, Values::Lexicographic);
-    while walk.run(u64::MAX, &mut Count) == Slice::Paused {}
+/// The frontier at a depth, which is at least 1 and no more than the levels of the problem; for
+/// the sink see [`frontier`].
+pub fn cut<P: Problem>(problem: &P, depth: usize, sink: &mut impl Sink<P>) -> Frontier {
+    let mut problem = problem.clone();
+    let top = Path::top(&mut problem, depth);
+    let mut walk = Walk::new(problem, Values::Lexicographic, top);
+    while matches!(walk.run(u64::MAX, sink), Slice::Paused) {}
     Frontier { depth, nodes: walk.solutions, above: walk.nodes - walk.solutions }
-}
-
-/// The first levels of a problem.
-#[derive(Debug, Clone)]
-struct Top<P> {
-    problem: P,
-    depth: usize,
-}
-
-impl<P: Problem> Problem for Top<P> {
-    type Alternatives = P::Alternatives;
-
-    fn levels(&self) -> usize {
-        self.depth
-    }
-
-    fn alternatives(&mut self, level: usize) -> P::Alternatives {
-        self.problem.alternatives(level)
-    }
-
-    fn push(&mut self, level: usize, choice: u32) {
-        self.problem.push(level, choice);
-    }
-
-    fn pop(&mut self, level: usize, choice: u32) {
-        self.problem.pop(level, choice);
-    }
 }
 
 #[cfg(test)]

@@ -6,7 +6,7 @@
 //! that has any splits the work in two large parts that are visited one after the other in the
 //! undivided walk; that is how threads share it.
 
-use super::{Alternatives, Problem, Values};
+use super::{Alternatives, Part, Problem, Values};
 
 /// The position of a walk: choices made and alternatives left, level by level.
 #[derive(Debug, Clone)]
@@ -30,6 +30,27 @@ impl<A: Alternatives> Path<A> {
             left[0] = problem.alternatives(0);
         }
         Self { level: 0, choices: vec![0; levels], left }
+    }
+
+    /// The path of the first `depth` levels of the tree, nothing visited: to a walk, the choices
+    /// of so many levels are a solution. `depth` is at least 1 and no more than the levels.
+    pub(super) fn top<P: Problem<Alternatives = A>>(problem: &mut P, depth: usize) -> Self {
+        let Self { level, mut choices, mut left } = Self::root(problem);
+        choices.truncate(depth);
+        left.truncate(depth);
+        Self { level, choices, left }
+    }
+
+    /// The path of one part of the tree, nothing visited. A problem without levels is all in
+    /// part 0.
+    pub fn part<P: Problem<Alternatives = A>>(problem: &mut P, part: Part) -> Self {
+        let mut path = Self::root(problem);
+        if problem.levels() > 0 {
+            path.left[0] = part.of(&[], path.left[0]);
+        } else if part.number > 0 {
+            path.left[0] = A::EMPTY;
+        }
+        path
     }
 
     /// The path with these choices made and these alternatives left, in a tree of so many levels.
@@ -109,18 +130,26 @@ impl<A: Alternatives> Path<A> {
         }
     }
 
-    /// The part of the whole tree still to visit, 0 to 1, if all alternatives of a node had
-    /// equally large trees below them (Knuth's estimate of progress, exact at 0 and 1).
+    /// How much of the whole tree, or of a part of it, is still to visit, 0 to 1, if all
+    /// alternatives of a node had equally large trees below them (Knuth's estimate of progress,
+    /// exact at 0 and 1).
     ///
     /// `problem` must stand where the path stands, and is left there.
-    pub fn remaining<P: Problem<Alternatives = A>>(&self, problem: &mut P) -> f64 {
+    pub fn remaining<P>(&self, problem: &mut P, part: Option<Part>) -> f64
+    where
+        P: Problem<Alternatives = A>,
+    {
         if self.choices.is_empty() {
             return f64::from(u8::from(!self.is_exhausted()));
         }
         self.rewind(problem);
         let (mut share, mut remaining) = (1.0, 0.0);
         for (level, left) in self.left().iter().enumerate() {
-            let of = problem.alternatives(level).count();
+            let mut of = problem.alternatives(level);
+            if let Some(part) = part {
+                of = part.of(&self.choices[..level], of);
+            }
+            let of = of.count();
             if of > 0 {
                 share /= f64::from(of);
                 remaining += share * f64::from(left.count());

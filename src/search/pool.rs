@@ -8,7 +8,7 @@
 //! kept is counted.
 
 use super::state::is_before;
-use super::{Alternatives, Best, Limits, Path, Problem, Progress, Record, Sink, Slice};
+use super::{Alternatives, Best, Limits, Part, Path, Problem, Progress, Record, Sink, Slice};
 use super::{State, Values, Walk};
 use crossbeam::channel::{RecvTimeoutError, bounded};
 use crossbeam::deque::{Injector, Steal};
@@ -36,6 +36,8 @@ pub struct Plan<'a, P: Problem> {
     pub copies: Vec<P>,
     /// The order of alternatives.
     pub values: Values,
+    /// The part of the tree to which the paths belong, if it is divided.
+    pub part: Option<Part>,
     /// The number of threads, at least 1.
     pub threads: usize,
     /// When to stop early.
@@ -50,6 +52,7 @@ impl<P: Problem> Plan<'_, P> {
         Self {
             problem,
             copies: Vec::new(),
+            part: None,
             values,
             threads: 1,
             limits: Limits::NONE,
@@ -114,8 +117,8 @@ where
     std::thread::scope(|scope| {
         let mut handles = Vec::with_capacity(threads);
         for id in 0..threads {
-            let (shared, values) = (&shared, plan.values);
-            let worker = Worker { id, shared, values, slice: SLICE, tick: 0, found: 0 };
+            let (shared, values, part) = (&shared, plan.values, plan.part);
+            let worker = Worker { id, shared, values, part, slice: SLICE, tick: 0, found: 0 };
             let (problem, copy) = (&plan.problem, copies.next());
             let (sink, done) = (sink(), done.clone());
             handles.push(scope.spawn(move || {
@@ -174,6 +177,7 @@ struct Worker<'a, A, F> {
     id: usize,
     shared: &'a Shared<A, F>,
     values: Values,
+    part: Option<Part>,
     /// Nodes of its next slice.
     slice: u64,
     /// The tick for which it last measured what remains.
@@ -191,7 +195,7 @@ impl<A: Alternatives, F: Send> Worker<'_, A, F> {
     {
         let shared = self.shared;
         let root = Path::root(&mut problem);
-        let mut walk = Walk::new(problem, self.values, root);
+        let mut walk = Walk::new(problem, self.values, root).within(self.part);
         while let Some((path, remaining)) = self.next_path() {
             lock(&shared.remaining).take(self.id, remaining);
             self.found = 0;
@@ -333,9 +337,10 @@ impl<A: Alternatives, F> Shared<A, F> {
     {
         let queue = Injector::new();
         let (pending, mut queued) = (state.left.len(), 0.0);
+        let part = plan.part.map(|part| part.within(plan.problem.levels()));
         for path in state.left {
             path.replay(&mut plan.problem);
-            let remaining = path.remaining(&mut plan.problem);
+            let remaining = path.remaining(&mut plan.problem, part);
             path.rewind(&mut plan.problem);
             queued += remaining;
             queue.push((path, remaining));

@@ -9,7 +9,7 @@
 //! Neighboring records with nothing left between them can no longer be told apart by a solution
 //! found later, and become one: there are never more records than paths left, plus one.
 
-use super::{Alternatives, Path, Problem, Values};
+use super::{Alternatives, Part, Path, Problem, Values};
 use std::time::Duration;
 
 /// What a search stands at. `T` is a path left to visit, `F` what is kept of a solution that
@@ -124,6 +124,13 @@ impl<A: Alternatives, F> State<Path<A>, F> {
     /// The whole tree of a problem, nothing visited.
     pub fn whole<P: Problem<Alternatives = A>>(problem: &mut P) -> Self {
         Self::start(vec![Path::root(problem)])
+    }
+
+    /// A part of the tree of a problem, nothing visited.
+    pub fn part<P: Problem<Alternatives = A>>(problem: &mut P, part: Part) -> Self {
+        let part = part.within(problem.levels());
+        let path = Path::part(problem, part);
+        Self::start(if path.is_exhausted() { Vec::new() } else { vec![path] })
     }
 
     /// Drops what no longer matters: paths with nothing left, what lies behind the solution

@@ -3,7 +3,7 @@
 //! The loop runs in slices of a bounded number of nodes, so that it needs no look at a clock or
 //! flag inside; between slices the path may be saved, measured or split. It allocates nothing.
 
-use super::{Alternatives, Path, Problem, Sink, Values};
+use super::{Alternatives, Part, Path, Problem, Sink, Values};
 use std::ops::ControlFlow;
 
 /// How a slice of a walk ended.
@@ -22,6 +22,7 @@ pub enum Slice<F> {
 pub struct Walk<P: Problem> {
     problem: P,
     values: Values,
+    part: Option<Part>,
     path: Path<P::Alternatives>,
     /// Nodes visited.
     pub nodes: u64,
@@ -31,12 +32,23 @@ pub struct Walk<P: Problem> {
     pub deepest: usize,
 }
 
+/// Out of the way of the loop: it is called at one level only.
+#[inline(never)]
+fn in_part<A: Alternatives>(part: Option<Part>, choices: &[u32], alternatives: A) -> A {
+    part.map_or(alternatives, |part| part.of(choices, alternatives))
+}
+
 impl<P: Problem> Walk<P> {
     /// A walk along `path`, for a problem without choices.
     pub fn new(mut problem: P, values: Values, path: Path<P::Alternatives>) -> Self {
         path.replay(&mut problem);
         let deepest = path.level();
-        Self { problem, values, path, nodes: 0, solutions: 0, deepest }
+        Self { problem, values, part: None, path, nodes: 0, solutions: 0, deepest }
+    }
+
+    /// The same walk within one part of the tree, to which its path belongs.
+    pub fn within(self, part: Option<Part>) -> Self {
+        Self { part: part.map(|part| part.within(self.problem.levels())), ..self }
     }
 
     /// A walk over the whole tree.
@@ -62,7 +74,7 @@ impl<P: Problem> Walk<P> {
 
     /// The part of the whole tree this path has still to visit; see [`Path::remaining`].
     pub fn remaining(&mut self) -> f64 {
-        self.path.remaining(&mut self.problem)
+        self.path.remaining(&mut self.problem, self.part)
     }
 
     /// Exchanges the path; gives back the old one.
@@ -81,9 +93,11 @@ impl<P: Problem> Walk<P> {
     /// Walks on for at most `budget` nodes.
     pub fn run<S: Sink<P>>(&mut self, budget: u64, sink: &mut S) -> Slice<S::Found> {
         let values = self.values;
-        let Self { problem, path, .. } = self;
+        let Self { problem, path, part, .. } = self;
         let (path_level, choices, left) = path.parts();
         let levels = choices.len();
+        // The level at which some alternatives belong to other parts, if there are any.
+        let cut = part.map_or(usize::MAX, Part::level);
         if levels == 0 {
             if left[0].is_empty() {
                 return Slice::Exhausted;
@@ -122,6 +136,9 @@ impl<P: Problem> Walk<P> {
                 level += 1;
                 deepest = deepest.max(level);
                 here = problem.alternatives(level);
+                if level == cut {
+                    here = in_part(*part, &choices[..level], here);
+                }
                 continue;
             }
             deepest = levels;

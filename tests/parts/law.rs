@@ -2,7 +2,7 @@
 
 use crate::trees::{Came, How, Tree};
 use proptest::prelude::*;
-use tilepack::search::{Part, Values, cut, frontier};
+use tilepack::search::{Count, Part, Values, cut, frontier};
 
 fn trees() -> impl Strategy<Value = Tree> {
     (0..9usize, any::<u64>()).prop_map(|(levels, seed)| Tree::new(levels, seed))
@@ -17,7 +17,7 @@ fn hows() -> impl Strategy<Value = How> {
 fn above(tree: &Tree, depth: usize) -> u64 {
     match tree.levels {
         0 => 0,
-        levels => cut(tree, depth.min(levels)).above,
+        levels => cut(tree, depth.min(levels), &mut Count).above,
     }
 }
 
@@ -69,8 +69,8 @@ proptest! {
     /// The frontier chosen: the first with enough nodes, or the first of the widest.
     #[test]
     fn the_frontier_is_no_deeper_than_needed(tree in trees(), wanted in 1..60u64) {
-        let found = frontier(&tree, wanted);
-        let cuts: Vec<_> = (1..=tree.levels).map(|depth| cut(&tree, depth)).collect();
+        let found = frontier(&tree, wanted, &mut Count);
+        let cuts: Vec<_> = (1..=tree.levels).map(|depth| cut(&tree, depth, &mut Count)).collect();
         let enough = cuts.iter().find(|cut| cut.nodes >= wanted);
         let most = cuts.iter().map(|cut| cut.nodes).max().unwrap_or(0);
         match enough.or(cuts.iter().find(|cut| cut.nodes == most && most > 0)) {
@@ -103,7 +103,7 @@ fn more_parts_than_nodes() {
     let tree = Tree::new(6, 3);
     let whole = How::PLAIN.whole(tree.clone());
     assert!(whole.nodes > 100, "{whole:?}");
-    let top = cut(&tree, 2);
+    let top = cut(&tree, 2, &mut Count);
     let parts: Vec<Came> = (0..1000)
         .map(|number| How::PLAIN.part(&tree, Part { depth: 2, number, of: 1000 }))
         .collect();

@@ -2,9 +2,7 @@
 
 use std::convert::Infallible;
 use std::ops::ControlFlow;
-use tilepack::search::{
-    Alternatives, InPart, Part, Plan, Problem, Sink, State, Values, Words, run,
-};
+use tilepack::search::{Alternatives, Part, Plan, Problem, Sink, State, Values, Words, run};
 
 /// A tree made by a seed: up to five alternatives to a node, many dead ends, lopsided.
 #[derive(Debug, Clone)]
@@ -107,9 +105,11 @@ impl How {
     fn over<P: Problem>(
         self,
         problem: P,
+        part: Option<Part>,
         state: State<tilepack::search::Path<P::Alternatives>, Infallible>,
     ) -> Came {
-        let mut plan = Plan { threads: self.threads, ..Plan::simple(problem, self.values) };
+        let threads = self.threads;
+        let mut plan = Plan { threads, part, ..Plan::simple(problem, self.values) };
         let (state, All(mut solutions)) = run(&mut plan, state, All::default);
         assert!(state.is_complete());
         assert_eq!(state.solutions, solutions.len() as u64);
@@ -119,13 +119,13 @@ impl How {
 
     pub(crate) fn whole(self, mut tree: Tree) -> Came {
         let state = State::whole(&mut tree);
-        self.over(tree, state)
+        self.over(tree, None, state)
     }
 
     /// A part; nodes above the frontier included.
     pub(crate) fn part(self, tree: &Tree, part: Part) -> Came {
-        let mut problem = InPart::new(tree.clone(), part);
-        let state = problem.state();
-        self.over(problem, state)
+        let mut problem = tree.clone();
+        let state = State::part(&mut problem, part);
+        self.over(problem, Some(part), state)
     }
 }
