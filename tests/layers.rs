@@ -31,6 +31,8 @@ const CRATES: &[(&str, &[&str])] = &[
     ("serde_json", &["store/", "cli/"]),
     ("rayon", &["packing/", "symmetry/", "cli/"]),
     ("crossbeam", &["search/"]),
+    ("rand", &["search/estimate/"]),
+    ("rand_pcg", &["search/estimate/"]),
 ];
 
 /// Lines of a file at most.

@@ -34,6 +34,9 @@ pub enum Command {
     /// List all packings, sorted, one JSON object a line
     #[command(after_help = help::LIST)]
     List(ListArgs),
+    /// Estimate the number of packings and the size of the search, by random probes
+    #[command(after_help = help::ESTIMATE)]
+    Estimate(EstimateArgs),
     /// Check packings from the definition
     #[command(after_help = help::VERIFY)]
     Verify(VerifyArgs),
@@ -212,6 +215,20 @@ pub struct ListArgs {
     #[arg(short, long, value_name = "FILE", help_heading = "Result")]
     pub output: Option<PathBuf>,
     /// One JSON object about the list on standard output; needs -o
+    #[arg(long, help_heading = "Result")]
+    pub json: bool,
+}
+
+/// How many packings there may be.
+#[derive(Debug, Clone, Args)]
+pub struct EstimateArgs {
+    /// The packings in question.
+    #[command(flatten)]
+    pub problem: ProblemArgs,
+    /// How to search.
+    #[command(flatten)]
+    pub search: SearchArgs,
+    /// One JSON object on standard output
     #[arg(long, help_heading = "Result")]
     pub json: bool,
 }

@@ -2,7 +2,7 @@
 //!
 //! * [`args`] is the command line as typed, [`help`] its longer texts; [`set`] and [`problem`]
 //!   turn it into what the library wants and refuse what makes no sense.
-//! * One file a command: [`find`], [`count`], [`list`], [`verify`], [`show`], [`sets`].
+//! * One file a command: [`find`], [`count`], [`list`], [`estimate`], [`verify`], [`show`], [`sets`].
 //! * [`session`] runs a search with limits, [`signal`]s and [`progress`].
 //! * [`output`] writes results to standard output and remarks to standard error; [`exit`] holds
 //!   the exit codes. [`draw`] and its palette draw packings.
@@ -14,6 +14,7 @@ pub mod count;
 pub mod describe;
 pub mod draw;
 pub mod duration;
+pub mod estimate;
 pub mod exit;
 pub mod find;
 pub mod help;
@@ -48,6 +49,7 @@ pub fn run() -> Exit {
         Command::Find(args) => find::run(args),
         Command::Count(args) => count::run(args),
         Command::List(args) => list::run(args),
+        Command::Estimate(args) => estimate::run(args),
         Command::Verify(args) => verify::run(args),
         Command::Show(args) => show::run(args),
         Command::Sets(args) => sets::run(args),

@@ -10,13 +10,16 @@
 //! * [`reduction`]: translations and the order of colors are removed before the search starts,
 //!   exactly, and multiplied back.
 //!
-//! [`Task`] states a question, [`dispatch`] makes it a problem, [`solve`] answers it.
+//! [`Task`] states a question, [`dispatch`] makes it a problem, [`solve`] answers it, and
+//! [`estimate`] says how large the answer is ([`last_lines`] helps it).
 
 pub mod caps;
 pub mod corner;
 pub mod corner_plan;
 pub mod dispatch;
+pub mod estimate;
 mod impossible;
+pub mod last_lines;
 pub mod quotient;
 pub mod reduction;
 pub mod ring;
@@ -33,10 +36,18 @@ pub use solve::{Answer, Counted, Settings, count, find, list};
 pub use task::{MAX_SEARCH_COLORS, Task, TaskError};
 
 use crate::search::Problem;
+use last_lines::{Found, LastLines};
 
 /// A problem whose solutions are labels of a lattice.
 pub trait Labeled: Problem {
     /// Writes the labels of the solution at which the problem stands, in the order of
     /// [`crate::torus::Lattice`].
     fn write_labels(&self, labels: &mut Vec<u8>);
+
+    /// Whether a look at the last lines shows that no solution lies below this state, with so
+    /// many choices made; see [`LastLines::is_hopeless`].
+    fn is_hopeless(&self, last: &LastLines, level: usize, found: &mut Found) -> bool {
+        let _ = (last, level, found);
+        false
+    }
 }
