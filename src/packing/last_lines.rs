@@ -151,10 +151,20 @@ impl LastLines {
             Look::Begin { first } | Look::Step { first, .. } => (first, self.most),
             Look::Around { first, count } => (first, count),
         };
-        let lines = self.points.len() / self.length;
+        // Where the line before the open ones, these and the one after begin, around the torus;
+        // no division, for this is the inner loop of the look.
+        let mut begins = [0; MOST_LINES + 2];
+        let mut begin = if first == 0 { self.points.len() } else { first * self.length };
+        begin -= self.length;
+        for line in &mut begins {
+            *line = begin;
+            begin += self.length;
+            if begin == self.points.len() {
+                begin = 0;
+            }
+        }
         let known = |line: usize, position: usize| {
-            let line = (first + lines + line - 1) % lines;
-            let (cell, from) = self.points[line * self.length + position];
+            let (cell, from) = self.points[begins[line] + position];
             (from <= level).then(|| color(cell))
         };
         let states = 1 << (self.shift * count);
