@@ -51,7 +51,13 @@ pub fn run(args: &EstimateArgs) -> anyhow::Result<Exit> {
     } else {
         print(args, &task, &done, reason.as_deref())?;
     }
-    done.tell_stop("the intervals are those of what was probed");
+    if let Some(stopped) = &done.stopped {
+        let by = if stopped.by == "signal" { "a signal" } else { "the time limit" };
+        output::remark(&format!(
+            "stopped early by {by}: {}; the intervals are those of the replicates finished",
+            done.effort()
+        ));
+    }
     let none = done.value.tree.exact
         && done.value.tree.solutions.is_some_and(|solutions| solutions.mean == 0.0);
     Ok(match done.stopped {

@@ -425,7 +425,8 @@ impl<R: Rule, const W: usize, const C: usize, const L: usize, const QUOTIENT: bo
 
     fn is_hopeless(&self, last: &LastLines, level: usize, found: &mut Found) -> bool {
         let color = |cell: u32| self.value[cell as usize];
-        last.is_hopeless(level, found, color, |known| self.rule.open(self.row(known)))
+        let open = |known| self.rule.open(self.row(known));
+        last.is_hopeless(level, found, color, open, |known| open(known) & self.caps.open(known))
     }
 }
 

@@ -19,12 +19,12 @@ use crate::tiles::Kind;
 use crate::torus::{Cell, Order};
 
 /// States are numbers below this, for their sets to be words.
-const STATES: usize = 64;
+const STATES: usize = 16;
 /// Lines that are left open by the line being filled, at most.
 const MOST_LINES: usize = 2;
 
 /// For each state the set of the states at position 0 from which it is reached.
-type Ways = [u64; STATES];
+type Ways = [u16; STATES];
 
 /// What to look at once a level is reached.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -35,6 +35,8 @@ enum Look {
     Begin { first: usize },
     /// The line before `first` is known up to this position: the ways go on.
     Step { first: usize, position: usize },
+    /// The line before `first` is known: the ways close, then as `Around`.
+    Close { first: usize },
     /// All ways around through `count` open lines.
     Around { first: usize, count: usize },
 }
@@ -99,6 +101,9 @@ impl LastLines {
             }
         }
         let most = (STATES.ilog2() as usize / shift).min(MOST_LINES);
+        if most == 0 {
+            return None;
+        }
         let all = u64::MAX >> (u64::BITS as usize - colors);
         let mut last = Self { length, points, looks: Vec::new(), most, shift, all, transposed };
         last.looks = (0..plan.steps.len()).map(|level| last.look(level, lines)).collect();
@@ -115,6 +120,12 @@ impl LastLines {
             return Look::No;
         }
         if count <= self.most {
+            let followed = |line: &[(u32, usize)]| {
+                line[self.length - 1].1 == level && line[0].1 + self.length - 1 == level
+            };
+            if count == self.most && self.length > 1 && first > 0 && followed(line(first - 1)) {
+                return Look::Close { first };
+            }
             return Look::Around { first, count };
         }
         // A prefix of the line is known, and the point last chosen is its end.
@@ -145,10 +156,13 @@ impl LastLines {
         found: &mut Found,
         color: impl Fn(u32) -> u8,
         open: impl Fn([u8; 3]) -> u64,
+        fresh: impl Fn([u8; 3]) -> u64,
     ) -> bool {
         let (first, count) = match self.looks[level] {
             Look::No => return false,
-            Look::Begin { first } | Look::Step { first, .. } => (first, self.most),
+            Look::Begin { first } | Look::Step { first, .. } | Look::Close { first } => {
+                (first, self.most)
+            }
             Look::Around { first, count } => (first, count),
         };
         // Where the line before the open ones, these and the one after begin, around the torus;
@@ -168,7 +182,7 @@ impl LastLines {
             (from <= level).then(|| color(cell))
         };
         let states = 1 << (self.shift * count);
-        let through = Through { lines: self, count, known: &known, open: &open };
+        let through = Through { lines: self, count, known: &known, open: &open, fresh: &fresh };
         match self.looks[level] {
             Look::No => false,
             Look::Begin { .. } => {
@@ -181,24 +195,50 @@ impl LastLines {
                 let (before, after) = (&before[level - 1][..states], &mut after[0]);
                 !through.step((position - 1, position), before, after)
             }
-            Look::Around { .. } => {
-                let (mut ways, mut next) = ([0; STATES], [0; STATES]);
-                through.begin(1, 0, &mut ways);
-                for position in 0..self.length {
-                    let after = if position + 1 == self.length { 0 } else { position + 1 };
-                    if !through.step((position, after), &ways[..states], &mut next) {
+            Look::Close { .. } => {
+                // The ways found before may use what has been placed since: if they close, they
+                // are looked for anew.
+                let mut next = [0; STATES];
+                let (end, mut ways) = (self.length - 1, found.0[level - 1]);
+                for at in [(end - 1, end), (end, 0)] {
+                    if !through.step(at, &ways[..states], &mut next) {
                         return true;
                     }
                     ways = next;
                 }
-                (0..states).all(|state| ways[state] >> state & 1 == 0)
+                !closes(&ways) || !self.leads_around(&through, states)
             }
+            Look::Around { .. } => !self.leads_around(&through, states),
         }
+    }
+
+    /// Whether there is a way around.
+    fn leads_around<K, O, N>(&self, through: &Through<'_, K, O, N>, states: usize) -> bool
+    where
+        K: Fn(usize, usize) -> Option<u8>,
+        O: Fn([u8; 3]) -> u64,
+        N: Fn([u8; 3]) -> u64,
+    {
+        let (mut ways, mut next) = ([0; STATES], [0; STATES]);
+        through.begin(1, 0, &mut ways);
+        for position in 0..self.length {
+            let after = if position + 1 == self.length { 0 } else { position + 1 };
+            if !through.step((position, after), &ways[..states], &mut next) {
+                return false;
+            }
+            ways = next;
+        }
+        closes(&ways)
     }
 }
 
+/// Whether some way leads from a state of position 0 back to it.
+fn closes(ways: &Ways) -> bool {
+    ways.iter().enumerate().any(|(state, from)| from >> state & 1 == 1)
+}
+
 /// The windows that ways go through.
-struct Through<'a, K, O> {
+struct Through<'a, K, O, N> {
     lines: &'a LastLines,
     /// Open lines.
     count: usize,
@@ -206,6 +246,7 @@ struct Through<'a, K, O> {
     /// and of the one after.
     known: &'a K,
     open: &'a O,
+    fresh: &'a N,
 }
 
 /// Two neighbors of a line: their colors, and whether both are known.
@@ -215,7 +256,12 @@ struct Pair {
     known: bool,
 }
 
-impl<K: Fn(usize, usize) -> Option<u8>, O: Fn([u8; 3]) -> u64> Through<'_, K, O> {
+impl<K, O, N> Through<'_, K, O, N>
+where
+    K: Fn(usize, usize) -> Option<u8>,
+    O: Fn([u8; 3]) -> u64,
+    N: Fn([u8; 3]) -> u64,
+{
     /// Every state of position 0 is reached from itself.
     fn begin(&self, line: usize, state: usize, ways: &mut Ways) {
         if line > self.count {
@@ -231,7 +277,7 @@ impl<K: Fn(usize, usize) -> Option<u8>, O: Fn([u8; 3]) -> u64> Through<'_, K, O>
 
     /// From the states of a position to those of the next; whether there are any.
     #[inline(always)]
-    fn step(&self, at: (usize, usize), before: &[u64], after: &mut Ways) -> bool {
+    fn step(&self, at: (usize, usize), before: &[u16], after: &mut Ways) -> bool {
         after[..before.len()].fill(0);
         let color = |position| (self.known)(0, position).unwrap_or(0);
         let above = Pair { colors: (color(at.0), color(at.1)), known: true };
@@ -255,7 +301,7 @@ impl<K: Fn(usize, usize) -> Option<u8>, O: Fn([u8; 3]) -> u64> Through<'_, K, O>
         &self,
         at: (usize, usize),
         above: (u8, u8),
-        before: &[u64],
+        before: &[u16],
         after: &mut Ways,
     ) -> bool {
         let shift = self.lines.shift;
@@ -271,13 +317,13 @@ impl<K: Fn(usize, usize) -> Option<u8>, O: Fn([u8; 3]) -> u64> Through<'_, K, O>
         }
         let mut any = 0;
         for a in Words([self.lines.all]).numbers() {
-            for a_next in Words([self.corners(above, a as u8)]).numbers() {
+            for a_next in Words([self.fresh_corners(above, a as u8)]).numbers() {
                 for b in Words([self.lines.all]).numbers() {
                     let ways = before[(b as usize) << shift | a as usize];
                     if ways == 0 {
                         continue;
                     }
-                    let free = self.corners((a as u8, a_next as u8), b as u8);
+                    let free = self.fresh_corners((a as u8, a_next as u8), b as u8);
                     for b_next in Words([free & second[b as usize % second.len()]]).numbers() {
                         after[((b_next as usize) << shift | a_next as usize) % STATES] |= ways;
                         any |= ways;
@@ -298,6 +344,16 @@ impl<K: Fn(usize, usize) -> Option<u8>, O: Fn([u8; 3]) -> u64> Through<'_, K, O>
         })
     }
 
+    /// The same where the free corner makes two new dominoes, which must not be used up either.
+    #[inline(always)]
+    fn fresh_corners(&self, above: (u8, u8), beside: u8) -> u64 {
+        let (first, second) = above;
+        (self.fresh)(match self.lines.transposed {
+            false => [first, second, beside],
+            true => [first, beside, second],
+        })
+    }
+
     /// From one state to those of the next position, line by line; whether there are any.
     #[inline]
     fn spread(
@@ -306,7 +362,7 @@ impl<K: Fn(usize, usize) -> Option<u8>, O: Fn([u8; 3]) -> u64> Through<'_, K, O>
         at: (usize, usize),
         above: Pair,
         states: (usize, usize),
-        ways: u64,
+        ways: u16,
         after: &mut Ways,
     ) -> bool {
         let (here, there) = ((self.known)(line, at.0), (self.known)(line, at.1));

@@ -1,6 +1,6 @@
 //! How large a tree is and how many solutions it has, from a random part of it.
 //!
-//! A [`probe`] walks the tree depth first and leaves out subtrees at random, with known
+//! A [probe](mod@probe) walks the tree depth first and leaves out subtrees at random, with known
 //! probabilities; sums of inverse probabilities are unbiased estimates (Knuth 1975; Chen 1992).
 //! How much to leave out at which level is learned first ([`survey`], then a few pilot probes);
 //! then a fixed number of independent replicates is run with the same plan, and their scatter
