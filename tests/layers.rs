@@ -32,6 +32,8 @@ const CRATES: &[(&str, &[&str])] = &[
     ("serde_json", &["store/", "cli/"]),
     ("rayon", &["packing/", "symmetry/", "cli/"]),
     ("crossbeam", &["search/", "store/keeping.rs"]),
+    ("rand", &["search/estimate/"]),
+    ("rand_pcg", &["search/estimate/"]),
 ];
 
 /// What no part of the crate may ask: the clock on the wall can be set back. Time is measured

@@ -47,6 +47,9 @@ pub enum Command {
     /// Put the parts of a plan together
     #[command(after_help = help::MERGE)]
     Merge(MergeArgs),
+    /// Estimate the number of packings and the size of the search, by random probes
+    #[command(after_help = help::ESTIMATE)]
+    Estimate(EstimateArgs),
     /// Check packings from the definition
     #[command(after_help = help::VERIFY)]
     Verify(VerifyArgs),
@@ -316,6 +319,38 @@ pub struct PartArgs {
     /// Limits, threads, what is shown.
     #[command(flatten)]
     pub run: RunArgs,
+    /// One JSON object on standard output
+    #[arg(long, help_heading = "Result")]
+    pub json: bool,
+}
+
+/// How many packings there may be.
+#[derive(Debug, Clone, Args)]
+pub struct EstimateArgs {
+    /// The packings in question.
+    #[command(flatten)]
+    pub problem: ProblemArgs,
+    /// The order in which cells are filled; it changes the tree, not the packings
+    #[arg(long, value_name = "ORDER", value_parser = orders(), help_heading = "Search")]
+    pub order: Option<Order>,
+    /// Seed of the probes
+    #[arg(long, value_name = "N", default_value_t = 0, help_heading = "Search")]
+    pub seed: u64,
+    /// Estimate the search that removes no symmetry first
+    #[arg(long, help_heading = "Search")]
+    pub plain: bool,
+    /// Nodes to probe, about: ten times as many make the intervals a third as wide
+    #[arg(long, value_name = "N", default_value_t = 250_000_000, help_heading = "Search")]
+    pub node_limit: u64,
+    /// Stop after this time: 500ms, 90s, 10m, 2h, 1d; a number alone is in seconds
+    #[arg(long, value_name = "TIME", value_parser = duration::parse, help_heading = "Search")]
+    pub time_limit: Option<Duration>,
+    /// Threads [default: all cores]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024), help_heading = "Search")]
+    pub threads: Option<u16>,
+    /// No remarks on standard error, only errors, warnings and early stops
+    #[arg(long, help_heading = "Search")]
+    pub quiet: bool,
     /// One JSON object on standard output
     #[arg(long, help_heading = "Result")]
     pub json: bool,

@@ -74,6 +74,26 @@ Examples:
 JSON fields (--json): result (complete or stopped), solutions (a string of digits: the number of \
 lines in the file), file, nodes, seconds, reason, stopped_by.";
 
+/// Examples for `estimate`.
+pub const ESTIMATE: &str = "\
+Walks a random part of the search tree, again and again, and infers the whole: the number of \
+packings and the number of nodes that count would visit, each with a 95 % interval (one in \
+twenty intervals misses). Here --node-limit is the effort: about so many nodes are probed \
+(default 250 million), and the same seed gives the same numbers whatever the number of threads. \
+Four times the effort halves the interval. A tree much smaller than that is searched completely; \
+then the numbers are exact. Where no probe reaches a packing there is no estimate of their number.
+
+Examples:
+  tilepack estimate --kind corner --colors 3
+  tilepack estimate --kind corner --colors 3 --node-limit 2000000000 --seed 7
+  tilepack estimate --kind corner --colors 3 --set compact --size 9x6 --json
+
+JSON fields (--json): result (complete or stopped), nodes, nodes_low, nodes_high, solutions, \
+solutions_low, solutions_high (strings of digits, null where there is no estimate), exact, method \
+(probes, search or argument), reason, nodes_probed, replicates, seed, stopped_by, seconds, \
+nodes_per_second (of the exact search on one thread, measured), core_years (that a count would \
+take at that rate).";
+
 /// Examples for `verify`.
 pub const VERIFY: &str = "\
 A packing is right when every tile belongs to the set, neighbors agree on the colors they share, \

@@ -2,8 +2,8 @@
 //!
 //! * [`args`] is the command line as typed, [`help`] its longer texts; [`set`] and [`problem`]
 //!   turn it into what the library wants and refuse what makes no sense.
-//! * One file a command: [`find`], [`count`], [`list`], [`resume`], [`plan`], [`part`] (the command
-//!   `run`), [`merge`], [`verify`], [`show`], [`sets`], [`cluster`] (job files).
+//! * One file a command: [`find`], [`count`], [`list`], [`estimate`], [`resume`], [`plan`], [`part`]
+//!   (the command `run`), [`merge`], [`cluster`] (job files), [`verify`], [`show`], [`sets`].
 //! * [`session`] runs a search with limits, [`signal`]s, [`progress`], [`eta`] (the time that is
 //!   left) and [`status`]; [`saving`] keeps it in a checkpoint, along with the [`request`] that
 //!   the answer is for.
@@ -18,6 +18,7 @@ pub mod count;
 pub mod describe;
 pub mod draw;
 pub mod duration;
+pub mod estimate;
 pub mod eta;
 pub mod exit;
 pub mod find;
@@ -60,6 +61,7 @@ pub fn run() -> Exit {
         Command::Find(args) => find::run(args),
         Command::Count(args) => count::run(args),
         Command::List(args) => list::run(args),
+        Command::Estimate(args) => estimate::run(args),
         Command::Resume(args) => resume::run(args),
         Command::Plan(args) => plan::run(args),
         Command::Run(args) => part::run(args),

@@ -24,10 +24,47 @@ use std::time::{Duration, Instant};
 #[derive(Debug)]
 pub struct Session<'a> {
     args: &'a RunArgs,
+    clock: Clock,
+}
+
+/// Threads, and what ends their work early.
+#[derive(Debug)]
+pub struct Clock {
+    /// The number of threads.
+    pub threads: usize,
     begin: Instant,
     signal: &'static AtomicBool,
     deadline: Option<Instant>,
-    threads: usize,
+}
+
+impl Clock {
+    /// Begins to listen to signals, and starts the clock.
+    ///
+    /// # Errors
+    /// When threads or signals cannot be had.
+    pub fn start(time_limit: Option<Duration>, threads: Option<u16>) -> anyhow::Result<Self> {
+        let threads = self::threads(threads)?;
+        let signal = signal::listen()?;
+        let begin = Instant::now();
+        // A limit beyond what a clock can show is none.
+        let deadline = time_limit.and_then(|limit| begin.checked_add(limit));
+        Ok(Self { threads, begin, signal, deadline })
+    }
+
+    /// What asks to stop.
+    pub fn stop(&self) -> impl Stop + use<> {
+        (self.signal, self.deadline)
+    }
+
+    /// The time since the start.
+    pub fn elapsed(&self) -> Duration {
+        self.begin.elapsed()
+    }
+
+    /// What has asked to stop, if something has: `signal` or `time-limit`.
+    pub fn stopped_by(&self) -> &'static str {
+        if self.signal.should_stop() { "signal" } else { "time-limit" }
+    }
 }
 
 /// A search that has been run.
@@ -62,12 +99,7 @@ impl<'a> Session<'a> {
     /// # Errors
     /// When threads or signals cannot be had.
     pub fn new(args: &'a RunArgs) -> anyhow::Result<Self> {
-        let threads = threads(args.threads)?;
-        let signal = signal::listen()?;
-        let begin = Instant::now();
-        // A limit beyond what a clock can show is none.
-        let deadline = args.time_limit.and_then(|limit| begin.checked_add(limit));
-        Ok(Self { args, begin, signal, deadline, threads })
+        Ok(Self { args, clock: Clock::start(args.time_limit, args.threads)? })
     }
 
     /// Runs a search, from where it was saved if it was, saving it where asked.
@@ -76,7 +108,7 @@ impl<'a> Session<'a> {
     /// What the search reports; a file that cannot be read or written.
     pub fn run(&self, job: &Job, request: &Request, save: Option<Save>) -> anyhow::Result<Done> {
         let quiet = self.args.quiet;
-        let status = Status::new(self.args, self.threads, save.as_ref())?;
+        let status = Status::new(self.args, self.clock.threads, save.as_ref())?;
         let opened = save.map(|save| Saving::open(save, job, request, quiet)).transpose()?;
         let (saving, from) = match opened {
             Some((saving, from)) => (Some(saving), from),
@@ -86,13 +118,13 @@ impl<'a> Session<'a> {
         let was_complete = from.as_ref().is_some_and(Standing::is_complete);
         let keeping = saving.map(|saving| saving.start(self.args.checkpoint_every));
         let display = progress::Display::new(quiet);
-        let stop = (self.signal, self.deadline);
+        let stop = self.clock.stop();
         let nodes = self.args.node_limit.unwrap_or(u64::MAX);
         let standing = packing::run(
             job,
             from,
             &Settings {
-                threads: self.threads,
+                threads: self.clock.threads,
                 limits: Limits { stop: &stop, nodes },
                 watch: &|progress| {
                     display.show(progress);
@@ -106,10 +138,9 @@ impl<'a> Session<'a> {
         let work = Work::of(&standing);
         let time = standing.state.elapsed;
         let stopped = (!work.complete).then(|| {
-            let by = match () {
-                () if self.signal.should_stop() => "signal",
-                () if standing.state.nodes - before >= nodes => "node-limit",
-                () => "time-limit",
+            let by = match self.clock.stopped_by() {
+                "time-limit" if standing.state.nodes - before >= nodes => "node-limit",
+                by => by,
             };
             let about = last.map_or(String::new(), |last| {
                 format!(", about {} of the tree", progress::percent(last.fraction))
@@ -137,7 +168,7 @@ impl<'a> Session<'a> {
     /// What was done when no search was needed.
     pub fn without_search(&self) -> Done {
         let mut standing = Standing::nothing();
-        standing.state.elapsed = self.begin.elapsed();
+        standing.state.elapsed = self.clock.elapsed();
         let (work, time) = (Work::of(&standing), standing.state.elapsed);
         Done { standing, work, time, stopped: None, saved: None, kept: None }
     }
@@ -199,7 +230,8 @@ impl Done {
     }
 }
 
-fn spoken(by: &str) -> &str {
+/// What ended a search early, in a sentence.
+pub fn spoken(by: &str) -> &str {
     match by {
         "signal" => "a signal",
         "node-limit" => "the node limit",

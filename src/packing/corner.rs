@@ -10,6 +10,7 @@
 
 use super::caps::Caps;
 use super::corner_plan::{CornerPlan, Step, Window};
+use super::last_lines::{Found, LastLines};
 use super::quotient::Quotient;
 use super::reduction::Reduction;
 use super::rule::Rule;
@@ -420,6 +421,12 @@ impl<R: Rule, const W: usize, const C: usize, const L: usize, const QUOTIENT: bo
     fn write_labels(&self, labels: &mut Vec<u8>) {
         labels.clear();
         labels.extend((0..self.cells).map(|cell| self.value[cell]));
+    }
+
+    fn is_hopeless(&self, last: &LastLines, level: usize, found: &mut Found) -> bool {
+        let color = |cell: u32| self.value[cell as usize];
+        let open = |known| self.rule.open(self.row(known));
+        last.is_hopeless(level, found, color, open, |known| open(known) & self.caps.open(known))
     }
 }
 

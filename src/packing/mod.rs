@@ -11,16 +11,18 @@
 //!   exactly, and multiplied back.
 //!
 //! [`Task`] says which packings, [`Job`] what is asked about them; [`dispatch`] makes it a
-//! problem, [`standing`] runs it, also from where an earlier run stopped, and [`solve`] gives
-//! the answer.
+//! problem, [`standing`] runs it, also from where an earlier run stopped, [`solve`] gives the
+//! answer, and [`estimate`] says how large it is ([`last_lines`] helps it).
 
 pub mod caps;
 pub mod corner;
 pub mod corner_plan;
 pub mod dispatch;
+pub mod estimate;
 pub mod frontier;
 mod impossible;
 pub mod job;
+pub mod last_lines;
 pub mod quotient;
 pub mod reduction;
 pub mod ring;
@@ -41,10 +43,18 @@ pub use standing::{Keeper, Standing, run};
 pub use task::{MAX_SEARCH_COLORS, Task, TaskError};
 
 use crate::search::Problem;
+use last_lines::{Found, LastLines};
 
 /// A problem whose solutions are labels of a lattice.
 pub trait Labeled: Problem {
     /// Writes the labels of the solution at which the problem stands, in the order of
     /// [`crate::torus::Lattice`].
     fn write_labels(&self, labels: &mut Vec<u8>);
+
+    /// Whether a look at the last lines shows that no solution lies below this state, with so
+    /// many choices made; see [`LastLines::is_hopeless`].
+    fn is_hopeless(&self, last: &LastLines, level: usize, found: &mut Found) -> bool {
+        let _ = (last, level, found);
+        false
+    }
 }

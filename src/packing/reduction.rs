@@ -79,6 +79,13 @@ impl Reduction {
         &self.factor * met / self.multiplicity
     }
 
+    /// The number of packings for each solution met, rounded.
+    pub fn packings_per_solution(&self) -> f64 {
+        // Digits are read correctly rounded; beyond the range of floating point it is infinite.
+        let factor: f64 = self.factor.to_string().parse().unwrap_or(f64::INFINITY);
+        factor / f64::from(self.multiplicity)
+    }
+
     /// Whether anything is assumed.
     pub fn is_none(&self) -> bool {
         *self == Self::none()

@@ -13,6 +13,7 @@
 //! This module imports nothing else of the crate.
 
 pub mod alternatives;
+pub mod estimate;
 pub mod naive;
 pub mod part;
 pub mod path;

@@ -6,6 +6,7 @@
 
 mod bad_input;
 mod count;
+mod estimate;
 mod files;
 mod find;
 mod list;
