@@ -12,11 +12,12 @@
 //! 3. [`search`]: exhaustive search that knows no tiles: paths, slices, threads.
 //! 4. [`symmetry`]: what leaves a set of packings as it is: canonical forms and orbits.
 //! 5. [`packing`]: the problems, their pruning, and the answers to [`packing::Task`]s.
-//! 6. [`verify`]: packings checked from the definition, by code that shares nothing with the
+//! 6. [`beam`]: first packings of corner tiles by beam search.
+//! 7. [`verify`]: packings checked from the definition, by code that shares nothing with the
 //!    search.
-//! 7. [`store`]: files, whole or not at all.
-//! 8. [`cluster`]: one search in parts, on many machines.
-//! 9. [`cli`]: the command line.
+//! 8. [`store`]: files, whole or not at all.
+//! 9. [`cluster`]: one search in parts, on many machines.
+//! 10. [`cli`]: the command line.
 //!
 //! Every layer uses only those before it (the search none), so each can be read, and trusted,
 //! without the later ones.
@@ -44,6 +45,7 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+pub mod beam;
 pub mod cli;
 pub mod cluster;
 pub mod packing;
