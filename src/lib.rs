@@ -13,11 +13,12 @@
 //! 4. [`symmetry`]: what leaves a set of packings as it is: canonical forms and orbits.
 //! 5. [`packing`]: the problems, their pruning, and the answers to [`packing::Task`]s.
 //! 6. [`beam`]: first packings of corner tiles by beam search.
-//! 7. [`verify`]: packings checked from the definition, by code that shares nothing with the
+//! 7. [`compact`]: packings of compact sets, constructed.
+//! 8. [`verify`]: packings checked from the definition, by code that shares nothing with the
 //!    search.
-//! 8. [`store`]: files, whole or not at all.
-//! 9. [`cluster`]: one search in parts, on many machines.
-//! 10. [`cli`]: the command line.
+//! 9. [`store`]: files, whole or not at all.
+//! 10. [`cluster`]: one search in parts, on many machines.
+//! 11. [`cli`]: the command line.
 //!
 //! Every layer uses only those before it (the search none), so each can be read, and trusted,
 //! without the later ones.
@@ -48,6 +49,7 @@
 pub mod beam;
 pub mod cli;
 pub mod cluster;
+pub mod compact;
 pub mod packing;
 pub mod search;
 pub mod store;

@@ -15,6 +15,7 @@ const LAYERS: &[(&str, &[&str])] = &[
     ("search", &[]),
     ("symmetry", &["tiles", "torus"]),
     ("packing", &["tiles", "torus", "symmetry", "search"]),
+    ("compact", &["tiles", "torus"]),
     // Of the search only what says when to stop.
     ("beam", &["tiles", "torus", "search"]),
     // Of nothing it checks: neither search nor packing nor symmetry.
