@@ -14,11 +14,12 @@
 //! 5. [`packing`]: the problems, their pruning, and the answers to [`packing::Task`]s.
 //! 6. [`beam`]: first packings of corner tiles by beam search.
 //! 7. [`compact`]: packings of compact sets, constructed.
-//! 8. [`verify`]: packings checked from the definition, by code that shares nothing with the
+//! 8. [`anneal`]: packings by annealing under a symmetry.
+//! 9. [`verify`]: packings checked from the definition, by code that shares nothing with the
 //!    search.
-//! 9. [`store`]: files, whole or not at all.
-//! 10. [`cluster`]: one search in parts, on many machines.
-//! 11. [`cli`]: the command line.
+//! 10. [`store`]: files, whole or not at all.
+//! 11. [`cluster`]: one search in parts, on many machines.
+//! 12. [`cli`]: the command line.
 //!
 //! Every layer uses only those before it (the search none), so each can be read, and trusted,
 //! without the later ones.
@@ -46,6 +47,7 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+pub mod anneal;
 pub mod beam;
 pub mod cli;
 pub mod cluster;

@@ -18,6 +18,7 @@ const LAYERS: &[(&str, &[&str])] = &[
     ("compact", &["tiles", "torus"]),
     // Of the search only what says when to stop.
     ("beam", &["tiles", "torus", "search"]),
+    ("anneal", &["tiles", "torus", "search"]),
     // Of nothing it checks: neither search nor packing nor symmetry.
     ("verify", &["tiles", "torus"]),
     ("store", &["tiles", "torus", "search", "symmetry", "packing"]),

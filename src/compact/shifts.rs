@@ -1,7 +1,7 @@
 //! Compact corner sets by shifted rows.
 //!
 //! The torus has `X = C m` columns and `2 C l` rows, `l = C / m`. Each of `l` groups of `m`
-//! permutations (see [`groups`](super::groups)) makes a sequence `s_t` of period `X`: every next
+//! permutations (see [`groups`]) makes a sequence `s_t` of period `X`: every next
 //! color is the image of the last under the permutation whose turn it is. All rows are such
 //! sequences, those of `t` next to those of `t` and of `t + 1`, shifted by all multiples of `m`.
 //!

@@ -1,8 +1,10 @@
-//! Constructed packings of compact sets: every one read cell by cell from the definition.
+//! Packings of compact sets, constructed and annealed: every one read cell by cell from the definition.
 
 #![allow(clippy::unwrap_used, clippy::panic)]
 
+use tilepack::anneal;
 use tilepack::compact::{self, wang};
+use tilepack::search::Limits;
 use tilepack::tiles::{Colors, Kind, Members, TileSet};
 use tilepack::torus::{Lattice, Shape};
 use tilepack::verify;
@@ -138,5 +140,25 @@ fn wang_sets_in_every_shape() {
                 assert!(tiles.iter().all(|two| two.len() == 2 && differ(two)), "{colors} {shape}");
             }
         }
+    }
+}
+
+#[test]
+fn annealing_where_nothing_is_constructed() {
+    let shape = |size: &str| size.parse::<Shape>().unwrap();
+    for (colors, size) in [(3, "9x6"), (3, "6x9"), (3, "3x18"), (4, "16x8"), (5, "10x25")] {
+        let (set, shape) = (corner(colors), shape(size));
+        let count = colors as usize;
+        let labels = anneal::compact_corner(count, shape, 0, &Limits::NONE).unwrap();
+        assert_compact_corner(count, shape, &labels);
+        assert_valid(&set, shape, &labels);
+        assert_eq!(anneal::compact_corner(count, shape, 0, &Limits::NONE), Some(labels.clone()));
+        assert_ne!(anneal::compact_corner(count, shape, 1, &Limits::NONE), Some(labels));
+    }
+    let few = Limits { stop: &(), nodes: 10 };
+    assert_eq!(anneal::compact_corner(5, shape("25x10"), 0, &few), None);
+    for (colors, size) in [(3, "27x2"), (3, "9x9"), (4, "128x1"), (1, "2x1"), (3, "54x1")] {
+        let most = Limits { stop: &(), nodes: 1000 };
+        assert_eq!(anneal::compact_corner(colors, shape(size), 0, &most), None, "{size}");
     }
 }
