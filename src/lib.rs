@@ -12,11 +12,14 @@
 //! 3. [`search`]: exhaustive search that knows no tiles: paths, slices, threads.
 //! 4. [`symmetry`]: what leaves a set of packings as it is: canonical forms and orbits.
 //! 5. [`packing`]: the problems, their pruning, and the answers to [`packing::Task`]s.
-//! 6. [`verify`]: packings checked from the definition, by code that shares nothing with the
+//! 6. [`beam`]: first packings of corner tiles by beam search.
+//! 7. [`compact`]: packings of compact sets, constructed.
+//! 8. [`anneal`]: packings by annealing under a symmetry.
+//! 9. [`verify`]: packings checked from the definition, by code that shares nothing with the
 //!    search.
-//! 7. [`store`]: files, whole or not at all.
-//! 8. [`cluster`]: one search in parts, on many machines.
-//! 9. [`cli`]: the command line.
+//! 10. [`store`]: files, whole or not at all.
+//! 11. [`cluster`]: one search in parts, on many machines.
+//! 12. [`cli`]: the command line.
 //!
 //! Every layer uses only those before it (the search none), so each can be read, and trusted,
 //! without the later ones.
@@ -44,8 +47,11 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+pub mod anneal;
+pub mod beam;
 pub mod cli;
 pub mod cluster;
+pub mod compact;
 pub mod packing;
 pub mod search;
 pub mod store;

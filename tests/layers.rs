@@ -15,11 +15,18 @@ const LAYERS: &[(&str, &[&str])] = &[
     ("search", &[]),
     ("symmetry", &["tiles", "torus"]),
     ("packing", &["tiles", "torus", "symmetry", "search"]),
+    ("compact", &["tiles", "torus"]),
+    // Of the search only what says when to stop.
+    ("beam", &["tiles", "torus", "search"]),
+    ("anneal", &["tiles", "torus", "search"]),
     // Of nothing it checks: neither search nor packing nor symmetry.
     ("verify", &["tiles", "torus"]),
     ("store", &["tiles", "torus", "search", "symmetry", "packing"]),
     ("cluster", &["packing", "store"]),
-    ("cli", &["tiles", "torus", "search", "symmetry", "packing", "verify", "store", "cluster"]),
+    (
+        "cli",
+        &["tiles", "torus", "search", "symmetry", "packing", "beam", "verify", "store", "cluster"],
+    ),
 ];
 
 /// Crates that only some files may name.

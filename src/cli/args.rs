@@ -187,6 +187,9 @@ pub struct FindArgs {
     /// How to find it
     #[arg(long, value_enum, default_value_t = Method::Auto)]
     pub method: Method,
+    /// Partial packings that beam search keeps at every cell [default: 3000]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=200_000))]
+    pub beam_width: Option<u32>,
     /// The order in which colors or tiles are tried
     #[arg(long, value_enum, default_value_t = ValueOrder::Lexicographic)]
     pub values: ValueOrder,
@@ -205,6 +208,8 @@ pub enum Method {
     Auto,
     /// Exhaustive search
     Search,
+    /// Beam search: unrestricted packings of corner tiles in seconds; never says there is none
+    Beam,
 }
 
 /// Orders of alternatives.

@@ -5,7 +5,7 @@ use super::exit::Exit;
 use super::request::Request;
 use super::saving::Save;
 use super::session::{Done, Session};
-use super::{describe, output, problem};
+use super::{beam, describe, output, problem};
 use crate::packing::{Job, Question};
 use crate::search::Values;
 use crate::store::{Layout, check_writable, write_file, write_grid, write_solution};
@@ -20,8 +20,10 @@ use std::path::Path;
 /// # Errors
 /// Bad input, or a file that cannot be written.
 pub fn run(args: &FindArgs) -> anyhow::Result<Exit> {
-    // Search is the one method there is.
-    let (Method::Auto | Method::Search) = args.method;
+    beam::refuse_width(args)?;
+    if args.method == Method::Beam {
+        return beam::run(args);
+    }
     let task = problem::task(&args.problem, args.search.order)?;
     let values = match args.values {
         ValueOrder::Lexicographic => Values::Lexicographic,
@@ -176,15 +178,7 @@ impl Find<'_> {
         }
         // With the rest of a solution's fields the object is a solution, too.
         if let Some(packing) = packing.filter(|_| request.output.is_none()) {
-            let description = output::description(packing);
-            for name in ["format", "kind", "colors", "set", "cover", "topology"] {
-                if let Some(value) = description.get(name) {
-                    fields.push((name, value.clone()));
-                }
-            }
-            let rows: Vec<Vec<u32>> =
-                packing.rows().map(|row| row.iter().map(|tile| tile.0).collect()).collect();
-            fields.push(("tiles", json!(rows)));
+            fields.extend(output::solution_fields(packing));
         }
         output::object(&fields)
     }

@@ -40,10 +40,16 @@ Examples:
   tilepack find --kind corner --colors 4 --automorphism 4,0:1,2,3,0 --values random --seed 7
   tilepack find --kind wang --colors 2,3 --order diagonal
   tilepack find --kind corner --colors 2 --pin begun.txt    # a grid with . for free cells
+  tilepack find --kind corner --colors 4 --method beam --seed 3
+  tilepack find --kind corner --colors 6 --set pruned:0-1,2-3,4-5 --size 77x6 --method beam
 
-JSON fields (--json): result (found, none or stopped), method, width, height, nodes, seconds, \
-file, reason (why there is none), stopped_by (signal, time-limit or node-limit); without -o also \
-the packing itself, with the fields of a solution file. Numbers of nodes are strings of digits.";
+Beam search goes on, with new random choices by --seed, until it finds a packing or a limit or \
+signal stops it; a beam that is wider succeeds more often and takes longer.
+
+JSON fields (--json): result (found, none or stopped), method (search, argument or beam), width, \
+height, nodes, seconds, file, reason (why there is none), stopped_by (signal, time-limit or \
+node-limit); by beam search also seed, beam_width and restart (restarts, when stopped); without \
+-o also the packing itself, with the fields of a solution file. Numbers of nodes are strings of digits.";
 
 /// Examples for `count`.
 pub const COUNT: &str = "\

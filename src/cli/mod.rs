@@ -3,7 +3,8 @@
 //! * [`args`] is the command line as typed, [`help`] its longer texts; [`set`] and [`problem`]
 //!   turn it into what the library wants and refuse what makes no sense.
 //! * One file a command: [`find`], [`count`], [`list`], [`estimate`], [`resume`], [`plan`], [`part`]
-//!   (the command `run`), [`merge`], [`cluster`] (job files), [`verify`], [`show`], [`sets`].
+//!   (the command `run`), [`merge`], [`cluster`] (job files), [`verify`], [`show`], [`sets`];
+//!   [`beam`] is another way to `find`.
 //! * [`session`] runs a search with limits, [`signal`]s, [`progress`], [`eta`] (the time that is
 //!   left) and [`status`]; [`saving`] keeps it in a checkpoint, along with the [`request`] that
 //!   the answer is for.
@@ -13,6 +14,7 @@
 //! Options, JSON fields and exit codes are a contract: other programs rely on them.
 
 pub mod args;
+pub mod beam;
 pub mod cluster;
 pub mod count;
 pub mod describe;

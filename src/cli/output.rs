@@ -67,6 +67,19 @@ pub fn description(packing: &Packing) -> Value {
     serde_json::from_slice(&text).unwrap_or_default()
 }
 
+/// The fields that make an object a solution file: the description and the tiles.
+pub fn solution_fields(packing: &Packing) -> Vec<(&'static str, Value)> {
+    let description = description(packing);
+    let mut fields: Vec<_> = ["format", "kind", "colors", "set", "cover", "topology"]
+        .into_iter()
+        .filter_map(|name| Some((name, description.get(name)?.clone())))
+        .collect();
+    let rows: Vec<Vec<u32>> =
+        packing.rows().map(|row| row.iter().map(|tile| tile.0).collect()).collect();
+    fields.push(("tiles", json!(rows)));
+    fields
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

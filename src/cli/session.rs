@@ -93,6 +93,28 @@ pub struct Stopped {
     pub how_far: String,
 }
 
+/// The end of a search that keeps no standing.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct Ended {
+    /// The time it took.
+    pub time: Duration,
+    /// What ended it if it came to nothing: `signal`, `time-limit` or `node-limit`.
+    pub by: &'static str,
+}
+
+impl Ended {
+    /// The time in words.
+    pub fn time(&self) -> String {
+        duration::words(self.time)
+    }
+
+    /// Says on standard error what stopped it and how far it was.
+    pub fn tell(&self, how_far: &str) {
+        let (by, time) = (spoken(self.by), self.time());
+        output::remark(&format!("stopped early by {by}: {time}, {how_far}"));
+    }
+}
+
 impl<'a> Session<'a> {
     /// Takes the options, begins to listen to signals, and starts the clock.
     ///
@@ -163,6 +185,16 @@ impl<'a> Session<'a> {
         };
         status.end(&standing, stopped.is_none());
         Ok(Done { standing, work, time, stopped, saved, kept })
+    }
+
+    /// Runs a search that knows nothing of paths and checkpoints, with the threads and limits
+    /// asked for, and says how long it took and which limit it would have met.
+    pub fn bounded<T>(&self, search: impl FnOnce(usize, &Limits<'_>) -> T) -> (T, Ended) {
+        let stop = self.clock.stop();
+        let nodes = self.args.node_limit.unwrap_or(u64::MAX);
+        let found = search(self.clock.threads, &Limits { stop: &stop, nodes });
+        let by = if stop.should_stop() { self.clock.stopped_by() } else { "node-limit" };
+        (found, Ended { time: self.clock.elapsed(), by })
     }
 
     /// What was done when no search was needed.

@@ -1,0 +1,160 @@
+//! Compact corner sets with the symmetry `a[row][column + X/C] = a[row][column] + 1` modulo `C`.
+//!
+//! Of `X` columns, `C` of which make a turn, the first `X / C` are unknown: `2 C^2` cells. Their
+//! windows are taken relative to their NW color, which is what the symmetry leaves of a tile.
+//! There are `C^2` classes (SW - NW, SE - NW), each to be met twice, with different NE - NW. The
+//! cost is the sum of `(count - 2)^2` over the classes, and 2 for every tile met again. One cell
+//! after the other gets a random color, which is kept by the rule of Metropolis at a constant
+//! temperature.
+//!
+//! Where only the height is a multiple of `C` the torus is reflected through its SW-NE
+//! diagonal. Source: this project.
+
+use crate::search::Limits;
+use crate::torus::Shape;
+use rand::{RngExt, SeedableRng};
+use rand_pcg::Pcg64;
+
+/// Moves between two looks at the limits.
+const MOVES: u32 = 1 << 14;
+
+/// The colors of the lattice points, row by row from the north; `None` when a limit was met
+/// (nodes are moves), or the torus has not `2 C^3` cells, or no side that is a multiple of `C` above `C`.
+pub fn compact_corner(
+    colors: usize,
+    shape: Shape,
+    seed: u64,
+    limits: &Limits<'_>,
+) -> Option<Vec<u8>> {
+    let (w, h) = (shape.width(), shape.height());
+    if !(2..=255).contains(&colors) || shape.cells() != 2 * colors.pow(3) {
+        return None;
+    }
+    // One unknown column would make all (SW, SE) alike.
+    let suits = |side: usize| side.is_multiple_of(colors) && side > colors;
+    if suits(w) {
+        return Quotient::new(colors, w / colors, h).anneal(seed, limits);
+    }
+    if !suits(h) {
+        return None;
+    }
+    let cells = Quotient::new(colors, h / colors, w).anneal(seed, limits)?;
+    Some((0..w * h).map(|i| cells[(w - 1 - i % w) * h + (h - 1 - i / w)]).collect())
+}
+
+/// The unknown cells, and what is counted about their windows.
+struct Quotient {
+    colors: usize,
+    columns: usize,
+    rows: usize,
+    cells: Vec<usize>,
+    classes: Vec<u32>,
+    tiles: Vec<u32>,
+    cost: i64,
+}
+
+impl Quotient {
+    fn new(colors: usize, columns: usize, rows: usize) -> Self {
+        Self {
+            colors,
+            columns,
+            rows,
+            cells: vec![0; columns * rows],
+            classes: vec![0; colors.pow(2)],
+            tiles: vec![0; colors.pow(3)],
+            // Every class lacks two.
+            cost: 4 * colors.pow(2) as i64,
+        }
+    }
+
+    fn anneal(mut self, seed: u64, limits: &Limits<'_>) -> Option<Vec<u8>> {
+        let mut rng = Pcg64::seed_from_u64(seed);
+        let temperature = if self.colors < 8 { 0.45 } else { 0.40 };
+        let accept: Vec<f64> = (0..64).map(|rise| (-f64::from(rise) / temperature).exp()).collect();
+        self.cells.iter_mut().for_each(|cell| *cell = rng.random_range(0..self.colors));
+        (0..self.cells.len()).for_each(|window| self.count(window, true));
+        let mut moves = 0;
+        while self.cost > 0 {
+            if moves >= limits.nodes || limits.stop.should_stop() {
+                return None;
+            }
+            for _ in 0..MOVES {
+                self.change(&mut rng, &accept);
+                moves += 1;
+                if self.cost == 0 || moves >= limits.nodes {
+                    break;
+                }
+            }
+        }
+        let all = |row| (0..self.columns * self.colors).map(move |column| (row, column));
+        Some((0..self.rows).flat_map(all).map(|(row, column)| self.at(row, column) as u8).collect())
+    }
+
+    /// Gives a random cell a random other color, or not.
+    fn change(&mut self, rng: &mut Pcg64, accept: &[f64]) {
+        let (cell, before) = (rng.random_range(0..self.cells.len()), self.cost);
+        let (old, by) = (self.cells[cell], rng.random_range(1..self.colors));
+        self.recolor(cell, (old + by) % self.colors);
+        let rise = self.cost - before;
+        let kept = rise <= 0 || {
+            let chance = usize::try_from(rise).ok().and_then(|rise| accept.get(rise));
+            chance.is_some_and(|&chance| rng.random::<f64>() < chance)
+        };
+        if !kept {
+            self.recolor(cell, old);
+        }
+    }
+
+    fn recolor(&mut self, cell: usize, color: usize) {
+        let (windows, number) = self.windows_at(cell);
+        windows[..number].iter().for_each(|&window| self.count(window, false));
+        self.cells[cell] = color;
+        windows[..number].iter().for_each(|&window| self.count(window, true));
+    }
+
+    /// The windows that show a cell, each once, and how many they are.
+    fn windows_at(&self, cell: usize) -> ([usize; 4], usize) {
+        let (row, column) = (cell / self.columns, cell % self.columns);
+        let north = (row + self.rows - 1) % self.rows;
+        let west = (column + self.columns - 1) % self.columns;
+        let (mut windows, mut number) = ([0; 4], 0);
+        for (row, column) in [(row, column), (row, west), (north, column), (north, west)] {
+            let window = row * self.columns + column;
+            if !windows[..number].contains(&window) {
+                windows[number] = window;
+                number += 1;
+            }
+        }
+        (windows, number)
+    }
+
+    /// The color anywhere on the torus.
+    fn at(&self, row: usize, column: usize) -> usize {
+        let turns = column / self.columns;
+        let cell = row % self.rows * self.columns + column % self.columns;
+        (self.cells[cell] + turns) % self.colors
+    }
+
+    /// Counts a window in, or out again.
+    fn count(&mut self, window: usize, more: bool) {
+        let (row, column) = (window / self.columns, window % self.columns);
+        let nw = self.at(row, column);
+        let relative = |color: usize| (color + self.colors - nw) % self.colors;
+        let sw = relative(self.at(row + 1, column));
+        let se = relative(self.at(row + 1, column + 1));
+        let ne = relative(self.at(row, column + 1));
+        let class = sw * self.colors + se;
+        let tile = class * self.colors + ne;
+        self.cost -= self.worth(class, tile);
+        for count in [&mut self.classes[class], &mut self.tiles[tile]] {
+            *count = if more { *count + 1 } else { *count - 1 };
+        }
+        self.cost += self.worth(class, tile);
+    }
+
+    /// What a class and a tile add to the cost.
+    fn worth(&self, class: usize, tile: usize) -> i64 {
+        let (off, again) = (i64::from(self.classes[class]) - 2, i64::from(self.tiles[tile]) - 1);
+        off * off + 2 * again.max(0)
+    }
+}

@@ -1,0 +1,212 @@
+//! First packings of corner tiles by beam search, without any symmetry.
+//!
+//! Exhaustive search goes deep and comes back; a beam goes down once, with thousands of partial
+//! packings side by side, and keeps at every cell those that can most likely be completed. That
+//! likelihood is an estimate of the number of completions ([`score`]). It finds an unrestricted
+//! packing of the 256 tiles over four colors in about a second (280 days of backtracking in
+//! Lagae and Dutré 2006) and packings of pruned sets that were said to have none. It proves
+//! nothing: where there is no packing it goes on for ever.
+//!
+//! Source: this project; the idea of the score from the configuration model of random graphs
+//! (Bollobás 1980).
+
+mod descent;
+mod model;
+mod random;
+mod restarts;
+mod rule;
+pub mod score;
+
+use crate::search::Limits;
+use crate::tiles::{Kind, TileSet};
+use crate::torus::Shape;
+use descent::Beam;
+use model::{Counts, Model};
+use random::Gumbel;
+use rule::{Compact, Once, Rule, Window};
+use score::{Logarithms, Weights};
+
+/// The widest beam.
+pub const MAX_WIDTH: usize = 200_000;
+
+/// The largest number of colors.
+pub const MAX_BEAM_COLORS: usize = 64;
+
+/// The largest number of cells.
+pub const MAX_BEAM_CELLS: usize = 65_535;
+
+/// How to search.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Options {
+    /// States kept at every cell, 1 to [`MAX_WIDTH`].
+    pub width: usize,
+    /// The scale of the noise.
+    pub tau: f64,
+    /// Colors of the random first row, the fewer the better; at least 1.
+    pub palette: usize,
+    /// Weights of the score.
+    pub weights: Weights,
+    /// Everything random follows from it.
+    pub seed: u64,
+    /// Threads, at least 1; the answer does not depend on them.
+    pub threads: usize,
+}
+
+impl Options {
+    /// What measured best for a set.
+    pub fn for_set(set: &TileSet) -> Self {
+        let triples = if set.is_compact() && set.colors().largest() > 4 { -1.5 } else { 0.0 };
+        Self {
+            width: 3000,
+            tau: 0.25,
+            palette: 2,
+            weights: Weights { tiles: 1.0, dominoes: 0.65, colors: 0.2, triples },
+            seed: 0,
+            threads: 1,
+        }
+    }
+}
+
+/// What the search came to.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Outcome {
+    /// The labels of a packing, as in [`crate::torus::Lattice`]; `None` when it was stopped.
+    pub labels: Option<Vec<u8>>,
+    /// The restart that found it, from 0, or the number of restarts that ended without.
+    pub restart: u64,
+    /// Partial packings looked at that broke no rule, up to that restart.
+    pub nodes: u64,
+    /// The most cells that were filled.
+    pub depth: usize,
+}
+
+/// Why the beam cannot be used.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
+pub enum Refusal {
+    /// The beam knows corner tiles only.
+    #[error("beam search is for corner tiles, not for {0} tiles")]
+    Kind(Kind),
+    /// A packing has as many cells as the set has tiles.
+    #[error("size {shape} has {cells} cells, but the set has {tiles} tiles")]
+    Size {
+        /// The torus asked for.
+        shape: Shape,
+        /// Its cells.
+        cells: u64,
+        /// The tiles of the set.
+        tiles: u64,
+    },
+    /// More than the counts of a state hold.
+    #[error(
+        "{colors} colors and {cells} cells: beam search handles up to {MAX_BEAM_COLORS} colors \
+         and {MAX_BEAM_CELLS} cells"
+    )]
+    TooLarge {
+        /// Colors of the set.
+        colors: usize,
+        /// Cells of the torus.
+        cells: usize,
+    },
+    /// An option out of range.
+    #[error("a beam of {0} states: expected 1 to {MAX_WIDTH}")]
+    Width(usize),
+    /// Other numbers of dominoes on opposite sides: there is no packing.
+    #[error("the tiles do not have the same dominoes on opposite sides: there is no packing")]
+    Unbalanced,
+}
+
+/// Looks for a packing of a corner set until it is found or the limits say stop.
+///
+/// # Errors
+/// When the set, the torus or the width of the beam do not suit.
+pub fn find(
+    set: &TileSet,
+    shape: Shape,
+    options: &Options,
+    limits: &Limits<'_>,
+) -> Result<Outcome, Refusal> {
+    let (colors, cells) = (set.colors().largest(), shape.cells());
+    if set.kind() != Kind::Corner {
+        return Err(Refusal::Kind(set.kind()));
+    }
+    if cells as u64 != set.size() {
+        return Err(Refusal::Size { shape, cells: cells as u64, tiles: set.size() });
+    }
+    if colors > MAX_BEAM_COLORS || cells > MAX_BEAM_CELLS {
+        return Err(Refusal::TooLarge { colors, cells });
+    }
+    if !(1..=MAX_WIDTH).contains(&options.width) {
+        return Err(Refusal::Width(options.width));
+    }
+    // Rows are scanned, so they should be short.
+    let turned = shape.width() > shape.height();
+    let tiles = windows(set, turned);
+    let counts = counts(set, &tiles)?;
+    if set.is_compact() {
+        Ok(search(Compact::new(colors), &counts, shape, turned, options, limits))
+    } else {
+        Ok(search(Once::new(colors, &tiles), &counts, shape, turned, options, limits))
+    }
+}
+
+fn search<R: Rule>(
+    rule: R,
+    counts: &Counts,
+    shape: Shape,
+    turned: bool,
+    options: &Options,
+    limits: &Limits<'_>,
+) -> Outcome {
+    let (w, h) = (shape.width(), shape.height());
+    let sides = if turned { (h, w) } else { (w, h) };
+    let logs = Logarithms::new(options.weights, shape.cells());
+    let model = Model::new(sides, counts, rule, logs);
+    let gumbel = Gumbel::new(options.tau);
+    let Options { width, palette, seed, .. } = *options;
+    let beam = Beam { model: &model, gumbel: &gumbel, width, palette: palette.max(1), seed };
+    let run = restarts::run(&beam, options.threads.max(1), limits);
+    let (restart, labels) = match run.found {
+        Some((number, cells)) => (number, Some(if turned { turn(&cells, shape) } else { cells })),
+        None => (run.ended, None),
+    };
+    Outcome { labels, restart, nodes: run.nodes, depth: run.depth }
+}
+
+/// The tiles that may occur, reflected through their SW-NE diagonal when rows and columns are
+/// exchanged: it keeps NE and SW, so that a compact set remains one.
+fn windows(set: &TileSet, turned: bool) -> Vec<Window> {
+    let window = |tile| {
+        let [ne, se, sw, nw] = set.kind().unpack(tile, set.colors()).map(usize::from);
+        if turned { [se, ne, sw, nw] } else { [nw, ne, sw, se] }
+    };
+    set.allowed().map(window).collect()
+}
+
+/// The same reflection on the torus, of `shape` afterwards.
+fn turn(cells: &[u8], shape: Shape) -> Vec<u8> {
+    let (w, h) = (shape.width(), shape.height());
+    (0..w * h).map(|i| cells[(w - 1 - i % w) * h + (h - 1 - i / w)]).collect()
+}
+
+/// How many dominoes and colors there are to place.
+fn counts(set: &TileSet, tiles: &[Window]) -> Result<Counts, Refusal> {
+    let colors = set.colors().largest();
+    if set.is_compact() {
+        let pairs = vec![2 * colors as u16; colors * colors];
+        let cells = vec![2 * (colors * colors) as u16; colors];
+        return Ok(Counts { across: pairs.clone(), down: pairs, cells });
+    }
+    let mut sides = [(); 4].map(|()| vec![0; colors * colors]);
+    let mut cells = vec![0; colors];
+    for &[nw, ne, sw, se] in tiles {
+        for (side, (a, b)) in sides.iter_mut().zip([(nw, ne), (sw, se), (nw, sw), (ne, se)]) {
+            side[a * colors + b] += 1;
+        }
+        cells[nw] += 1;
+    }
+    let [north, south, west, east] = sides;
+    if north != south || west != east {
+        return Err(Refusal::Unbalanced);
+    }
+    Ok(Counts { across: north, down: west, cells })
+}

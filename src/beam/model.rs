@@ -1,0 +1,216 @@
+//! Partial packings, filled row by row from the north.
+//!
+//! A state is an array of words: for every pair of colors how many tiles are left with this
+//! domino north, south, west and east, and how many such dominoes are still to be placed across
+//! and down; for every color the cells it still gets; the last `width` cells and two before
+//! them; and what a [`Rule`] keeps. Everything a cell decides is decided as soon as it is
+//! filled, across the seams too: a cell of the last column completes a second window and domino,
+//! one of the last row those with the first row, which is the same in all states of a beam.
+//!
+//! Source: this project (search.md 6).
+
+use super::rule::{Rule, Window};
+use super::score::Logarithms;
+
+/// A place to fill.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) struct At {
+    pub(super) row: usize,
+    pub(super) column: usize,
+}
+
+/// Where the parts of a state begin.
+#[derive(Debug)]
+struct Layout {
+    south: usize,
+    west: usize,
+    east: usize,
+    across: usize,
+    down: usize,
+    cells: usize,
+    line: usize,
+    rule: usize,
+}
+
+/// A problem: a torus to fill row by row.
+#[derive(Debug)]
+pub(super) struct Model<R> {
+    pub(super) colors: usize,
+    pub(super) width: usize,
+    pub(super) height: usize,
+    logs: Logarithms,
+    rule: R,
+    layout: Layout,
+    start: Vec<u16>,
+}
+
+/// How many tiles and cells there are, before any is placed.
+pub(super) struct Counts {
+    /// For every pair of colors, the tiles with this domino north, and as many south.
+    pub(super) across: Vec<u16>,
+    /// For every pair of colors, the tiles with this domino west, and as many east.
+    pub(super) down: Vec<u16>,
+    /// For every color, its cells.
+    pub(super) cells: Vec<u16>,
+}
+
+impl<R: Rule> Model<R> {
+    pub(super) fn new(
+        (width, height): (usize, usize),
+        counts: &Counts,
+        rule: R,
+        logs: Logarithms,
+    ) -> Self {
+        let colors = counts.cells.len();
+        let pairs = colors * colors;
+        let (across, down) = (&counts.across, &counts.down);
+        let mut start = [across, across, down, down, across, down].map(Vec::as_slice).concat();
+        start.extend(&counts.cells);
+        let line = start.len();
+        start.resize(line + width + 2, 0);
+        let layout = Layout {
+            south: pairs,
+            west: 2 * pairs,
+            east: 3 * pairs,
+            across: 4 * pairs,
+            down: 5 * pairs,
+            cells: 6 * pairs,
+            line,
+            rule: start.len(),
+        };
+        start.extend(rule.start());
+        Self { colors, width, height, logs, rule, layout, start }
+    }
+
+    /// Nothing placed.
+    pub(super) fn start(&self) -> &[u16] {
+        &self.start
+    }
+
+    /// Words of a state.
+    pub(super) fn words(&self) -> usize {
+        self.start.len()
+    }
+
+    /// Fills a cell and gives the change of the score, or `None` when that is not possible; the
+    /// state is then spoiled. `top` is the first row, as far as it is needed.
+    pub(super) fn place(&self, state: &mut [u16], top: &[u8], at: At, color: usize) -> Option<i64> {
+        let Layout { across, down, cells, line, .. } = self.layout;
+        let (nw, first) = (line + self.width, line + self.width + 1);
+        let (last_column, last_row) = (at.column + 1 == self.width, at.row + 1 == self.height);
+        let [north, north_west] = [line + at.column, nw].map(|i| usize::from(state[i]));
+        let west = usize::from(state[line + at.column.max(1) - 1]);
+        let mut score = self.spend(state, cells + color, &self.logs.colors)?;
+
+        state[nw] = north as u16;
+        if at.column == 0 {
+            state[first] = north as u16;
+        } else {
+            score += self.spend(state, across + west * self.colors + color, &self.logs.dominoes)?;
+        }
+        state[line + at.column] = color as u16;
+        let start = usize::from(state[line]);
+        if last_column {
+            score +=
+                self.spend(state, across + color * self.colors + start, &self.logs.dominoes)?;
+        }
+        if at.row > 0 {
+            score += self.spend(state, down + north * self.colors + color, &self.logs.dominoes)?;
+            if at.column > 0 {
+                score += self.complete(state, [north_west, north, west, color])?;
+            }
+            if last_column {
+                let above = usize::from(state[first]);
+                score += self.complete(state, [north, above, color, start])?;
+            }
+        }
+        if last_row {
+            let below = |column: usize| usize::from(top[column]);
+            let south = below(at.column);
+            score += self.spend(state, down + color * self.colors + south, &self.logs.dominoes)?;
+            if at.column > 0 {
+                score += self.complete(state, [west, color, below(at.column - 1), south])?;
+            }
+            if last_column {
+                score += self.complete(state, [color, start, south, below(0)])?;
+            }
+        }
+        Some(score)
+    }
+
+    /// Takes one off a count.
+    #[inline(always)]
+    fn spend(&self, state: &mut [u16], index: usize, logs: &[i64]) -> Option<i64> {
+        let count = state[index];
+        state[index] = count.checked_sub(1)?;
+        Some(logs[usize::from(count)])
+    }
+
+    fn complete(&self, state: &mut [u16], window: Window) -> Option<i64> {
+        let [nw, ne, sw, se] = window;
+        let Layout { south, west, east, rule, .. } = self.layout;
+        let (counts, words) = state.split_at_mut(rule);
+        if !self.rule.open(words, window) {
+            return None;
+        }
+        let mut score = if self.rule.fresh(words, window) { self.logs.fresh } else { 0 };
+        self.rule.take(words, window);
+        let pair = |a: usize, b: usize| a * self.colors + b;
+        for index in [pair(nw, ne), south + pair(sw, se), west + pair(nw, sw), east + pair(ne, se)]
+        {
+            score += self.spend(counts, index, &self.logs.tiles)?;
+        }
+        Some(score)
+    }
+
+    /// Every color that the cell may have, in order, with the change of the score.
+    #[inline]
+    pub(super) fn choices(
+        &self,
+        state: &[u16],
+        top: &[u8],
+        at: At,
+        scratch: &mut Vec<u16>,
+        mut each: impl FnMut(usize, i64),
+    ) {
+        let inner = at.row > 0 && at.row + 1 < self.height;
+        if !(inner && at.column > 0 && at.column + 1 < self.width) {
+            for color in 0..self.colors {
+                scratch.clear();
+                scratch.extend_from_slice(state);
+                if let Some(change) = self.place(scratch, top, at, color) {
+                    each(color, change);
+                }
+            }
+            return;
+        }
+        // One window, one domino across, one down: no copy is needed.
+        let Layout { south, west, east, across, down, cells, line, rule } = self.layout;
+        let n = self.colors;
+        let (counts, words) = state.split_at(rule);
+        let cell = |i: usize| usize::from(counts[i]);
+        let (nw, ne, sw) =
+            (cell(line + self.width), cell(line + at.column), cell(line + at.column - 1));
+        let (top_left, left_left) = (cell(nw * n + ne), cell(west + nw * n + sw));
+        if top_left == 0 || left_left == 0 {
+            return;
+        }
+        let given = self.logs.tiles[top_left] + self.logs.tiles[left_left];
+        let row = |from: usize| &counts[from..from + n];
+        let columns = row(south + sw * n)
+            .iter()
+            .zip(row(east + ne * n))
+            .zip(row(across + sw * n).iter().zip(row(down + ne * n)))
+            .zip(row(cells));
+        for (color, (((&b, &r), (&h, &v)), &c)) in columns.enumerate() {
+            let window = [nw, ne, sw, color];
+            if b == 0 || r == 0 || h == 0 || v == 0 || c == 0 || !self.rule.open(words, window) {
+                continue;
+            }
+            let fresh = if self.rule.fresh(words, window) { self.logs.fresh } else { 0 };
+            let tiles = self.logs.tiles[usize::from(b)] + self.logs.tiles[usize::from(r)];
+            let dominoes = self.logs.dominoes[usize::from(h)] + self.logs.dominoes[usize::from(v)];
+            each(color, given + tiles + dominoes + self.logs.colors[usize::from(c)] + fresh);
+        }
+    }
+}
