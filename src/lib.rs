@@ -9,14 +9,16 @@
 //!
 //! 1. [`tiles`]: what a tile is, its number, and the sets: complete, compact, pruned, explicit.
 //! 2. [`torus`]: where tiles go, and the labels that neighbors share.
-//! 3. [`search`]: exhaustive search that knows no tiles: paths, slices, threads.
-//! 4. [`symmetry`]: what leaves a set of packings as it is: canonical forms and orbits.
-//! 5. [`packing`]: the problems, their pruning, and the answers to [`packing::Task`]s.
-//! 6. [`verify`]: packings checked from the definition, by code that shares nothing with the
+//! 3. [`construct`]: packings in closed form, and where in them a tile lies.
+//! 4. [`count`]: exact numbers of packings without a search.
+//! 5. [`search`]: exhaustive search that knows no tiles: paths, slices, threads.
+//! 6. [`symmetry`]: what leaves a set of packings as it is: canonical forms and orbits.
+//! 7. [`packing`]: the problems, their pruning, and the answers to [`packing::Task`]s.
+//! 8. [`verify`]: packings checked from the definition, by code that shares nothing with the
 //!    search.
-//! 7. [`store`]: files, whole or not at all.
-//! 8. [`cluster`]: one search in parts, on many machines.
-//! 9. [`cli`]: the command line.
+//! 9. [`store`]: files, whole or not at all.
+//! 10. [`cluster`]: one search in parts, on many machines.
+//! 11. [`cli`]: the command line.
 //!
 //! Every layer uses only those before it (the search none), so each can be read, and trusted,
 //! without the later ones.
@@ -46,6 +48,8 @@
 
 pub mod cli;
 pub mod cluster;
+pub mod construct;
+pub mod count;
 pub mod packing;
 pub mod search;
 pub mod store;

@@ -12,6 +12,9 @@ use std::path::Path;
 const LAYERS: &[(&str, &[&str])] = &[
     ("tiles", &[]),
     ("torus", &["tiles"]),
+    // Closed forms: no search.
+    ("construct", &["tiles", "torus"]),
+    ("count", &["construct"]),
     ("search", &[]),
     ("symmetry", &["tiles", "torus"]),
     ("packing", &["tiles", "torus", "symmetry", "search"]),
