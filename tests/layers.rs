@@ -22,7 +22,20 @@ const LAYERS: &[(&str, &[&str])] = &[
     ("verify", &["tiles", "torus"]),
     ("store", &["tiles", "torus", "search", "symmetry", "packing"]),
     ("cluster", &["packing", "store"]),
-    ("cli", &["tiles", "torus", "search", "symmetry", "packing", "verify", "store", "cluster"]),
+    (
+        "cli",
+        &[
+            "tiles",
+            "torus",
+            "construct",
+            "search",
+            "symmetry",
+            "packing",
+            "verify",
+            "store",
+            "cluster",
+        ],
+    ),
 ];
 
 /// Crates that only some files may name.

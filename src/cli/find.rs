@@ -5,7 +5,7 @@ use super::exit::Exit;
 use super::request::Request;
 use super::saving::Save;
 use super::session::{Done, Session};
-use super::{describe, output, problem};
+use super::{construct, describe, output, problem};
 use crate::packing::{Job, Question};
 use crate::search::Values;
 use crate::store::{Layout, check_writable, write_file, write_grid, write_solution};
@@ -20,8 +20,11 @@ use std::path::Path;
 /// # Errors
 /// Bad input, or a file that cannot be written.
 pub fn run(args: &FindArgs) -> anyhow::Result<Exit> {
-    // Search is the one method there is.
-    let (Method::Auto | Method::Search) = args.method;
+    if args.method != Method::Search
+        && let Some(exit) = construct::answer(args)?
+    {
+        return Ok(exit);
+    }
     let task = problem::task(&args.problem, args.search.order)?;
     let values = match args.values {
         ValueOrder::Lexicographic => Values::Lexicographic,

@@ -2,8 +2,8 @@
 //!
 //! * [`args`] is the command line as typed, [`help`] its longer texts; [`set`] and [`problem`]
 //!   turn it into what the library wants and refuse what makes no sense.
-//! * One file a command: [`find`], [`count`], [`list`], [`resume`], [`plan`], [`part`] (the command
-//!   `run`), [`merge`], [`verify`], [`show`], [`sets`], [`cluster`] (job files).
+//! * One file a command: [`find`] (by [`construct`], where it can), [`locate`], [`count`],
+//!   [`list`], [`resume`], [`plan`], [`part`] (the command `run`), [`merge`], [`verify`], [`show`], [`sets`], [`cluster`] (job files).
 //! * [`session`] runs a search with limits, [`signal`]s, [`progress`], [`eta`] (the time that is
 //!   left) and [`status`]; [`saving`] keeps it in a checkpoint, along with the [`request`] that
 //!   the answer is for.
@@ -14,6 +14,7 @@
 
 pub mod args;
 pub mod cluster;
+pub mod construct;
 pub mod count;
 pub mod describe;
 pub mod draw;
@@ -23,6 +24,7 @@ pub mod exit;
 pub mod find;
 pub mod help;
 pub mod list;
+pub mod locate;
 pub mod merge;
 pub mod output;
 pub mod part;
@@ -58,6 +60,7 @@ pub fn run() -> Exit {
     };
     let exit = match &cli.command {
         Command::Find(args) => find::run(args),
+        Command::Locate(args) => locate::run(args),
         Command::Count(args) => count::run(args),
         Command::List(args) => list::run(args),
         Command::Resume(args) => resume::run(args),

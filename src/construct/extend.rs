@@ -4,7 +4,7 @@
 //! fill `R k^m x S k^(4-m)` cells; copy `(u, v)`. A color is `C d + b`, where `b` is that of `B`
 //! and `d` shows the `m` base-`k` digits of `u` and the `4-m` ones of `v`: there are four, as
 //! there are classes of cells by the parities of row and column in a copy, and each class shows
-//! one ([`SLOTS`]). An odd side would bring two cells of a class together at the seam, so its
+//! one (`SLOTS`). An odd side would bring two cells of a class together at the seam, so its
 //! last row (column) shows the sums of the digits of both classes instead.
 //!
 //! *Why every window occurs once:* its `b`s say where in a copy it begins; its `d`s are then an

@@ -236,7 +236,12 @@ impl Constructed {
 
     /// Row and column of a tile; `None` if it is not in the set.
     pub fn locate(&self, tile: TileId) -> Option<(usize, usize)> {
-        if !self.set.allows(tile) {
+        // A packing of a complete set has as many cells as there are numbers.
+        let known = match self.set.members() {
+            Members::Complete => tile.index() < self.shape.cells(),
+            _ => self.set.allows(tile),
+        };
+        if !known {
             return None;
         }
         let [a, b, c, d] = self.set.kind().unpack(tile, self.set.colors());

@@ -16,8 +16,10 @@ mod fault;
 mod members;
 mod neighbors;
 mod occurrences;
+mod rows;
 
 pub use fault::{Fault, Place, Tile, Touch};
+pub use rows::{RowCheck, RowFault};
 
 use crate::tiles::Kind;
 use crate::torus::Packing;
