@@ -11,6 +11,7 @@
 //!
 //! Source: Lagae 2007, sections 2.2 and 5.5; Schlömer 2012, sections 2.4 and 3.3.
 
+mod cube;
 mod decode;
 mod fault;
 mod members;
@@ -18,6 +19,7 @@ mod neighbors;
 mod occurrences;
 mod rows;
 
+pub use cube::{CubeFault, check_cubes};
 pub use fault::{Fault, Place, Tile, Touch};
 pub use rows::{RowCheck, RowFault};
 

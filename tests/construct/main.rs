@@ -4,6 +4,7 @@
 #![allow(clippy::unwrap_used)]
 
 mod corners;
+mod cubes;
 mod members;
 mod rings;
 mod shapes;
