@@ -9,17 +9,19 @@
 //!
 //! 1. [`tiles`]: what a tile is, its number, and the sets: complete, compact, pruned, explicit.
 //! 2. [`torus`]: where tiles go, and the labels that neighbors share.
-//! 3. [`search`]: exhaustive search that knows no tiles: paths, slices, threads.
-//! 4. [`symmetry`]: what leaves a set of packings as it is: canonical forms and orbits.
-//! 5. [`packing`]: the problems, their pruning, and the answers to [`packing::Task`]s.
-//! 6. [`beam`]: first packings of corner tiles by beam search.
-//! 7. [`compact`]: packings of compact sets, constructed.
-//! 8. [`anneal`]: packings by annealing under a symmetry.
-//! 9. [`verify`]: packings checked from the definition, by code that shares nothing with the
-//!    search.
-//! 10. [`store`]: files, whole or not at all.
-//! 11. [`cluster`]: one search in parts, on many machines.
-//! 12. [`cli`]: the command line.
+//! 3. [`construct`]: packings in closed form, and where in them a tile lies.
+//! 4. [`compact`]: packings of compact sets, constructed.
+//! 5. [`count`]: exact numbers of packings without a search.
+//! 6. [`search`]: exhaustive search that knows no tiles: paths, slices, threads.
+//! 7. [`symmetry`]: what leaves a set of packings as it is: canonical forms and orbits.
+//! 8. [`packing`]: the problems, their pruning, and the answers to [`packing::Task`]s.
+//! 9. [`beam`]: first packings of corner tiles by beam search.
+//! 10. [`anneal`]: packings by annealing under a symmetry.
+//! 11. [`verify`]: packings checked from the definition, by code that shares nothing with the
+//!     search.
+//! 12. [`store`]: files, whole or not at all.
+//! 13. [`cluster`]: one search in parts, on many machines.
+//! 14. [`cli`]: the command line.
 //!
 //! Every layer uses only those before it (the search none), so each can be read, and trusted,
 //! without the later ones.
@@ -52,6 +54,8 @@ pub mod beam;
 pub mod cli;
 pub mod cluster;
 pub mod compact;
+pub mod construct;
+pub mod count;
 pub mod packing;
 pub mod search;
 pub mod store;

@@ -12,6 +12,9 @@ use std::path::Path;
 const LAYERS: &[(&str, &[&str])] = &[
     ("tiles", &[]),
     ("torus", &["tiles"]),
+    // Closed forms: no search.
+    ("construct", &["tiles", "torus"]),
+    ("count", &["construct"]),
     ("search", &[]),
     ("symmetry", &["tiles", "torus"]),
     ("packing", &["tiles", "torus", "symmetry", "search"]),
@@ -25,7 +28,18 @@ const LAYERS: &[(&str, &[&str])] = &[
     ("cluster", &["packing", "store"]),
     (
         "cli",
-        &["tiles", "torus", "search", "symmetry", "packing", "beam", "verify", "store", "cluster"],
+        &[
+            "tiles",
+            "torus",
+            "construct",
+            "search",
+            "symmetry",
+            "packing",
+            "beam",
+            "verify",
+            "store",
+            "cluster",
+        ],
     ),
 ];
 

@@ -32,6 +32,9 @@ pub enum Command {
     /// Find one packing
     #[command(after_help = help::FIND)]
     Find(FindArgs),
+    /// Say where a tile lies in the constructed packing
+    #[command(after_help = help::LOCATE)]
+    Locate(LocateArgs),
     /// Count all packings, exactly, by search
     #[command(after_help = help::COUNT)]
     Count(CountArgs),
@@ -207,8 +210,12 @@ pub struct FindArgs {
 /// Ways to find a packing.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 pub enum Method {
-    /// The way that suits the problem
+    /// A construction for sets of more than 100 tiles where one is known and no option asks
+    /// for a search; else search
     Auto,
+    /// A packing known in closed form, or none; --seed other than 0 chooses a random member of
+    /// its family
+    Construct,
     /// Exhaustive search
     Search,
     /// Beam search: unrestricted packings of corner tiles in seconds; never says there is none
@@ -222,6 +229,27 @@ pub enum ValueOrder {
     Lexicographic,
     /// In random order, by --seed
     Random,
+}
+
+/// Tiles to look up.
+#[derive(Debug, Clone, Args)]
+pub struct LocateArgs {
+    /// The tiles of the packing.
+    #[command(flatten)]
+    pub set: SetArgs,
+    /// Width and height of the torus [default: as find]
+    #[arg(long, value_name = "WxH", allow_hyphen_values = true, help_heading = "Problem")]
+    pub size: Option<String>,
+    /// Which member of the family; 0 is the closed form itself
+    #[arg(long, value_name = "N", default_value_t = 0, help_heading = "Problem")]
+    pub seed: u64,
+    /// Tile numbers, or colors: NE,SE,SW,NW of a corner tile, N,E,S,W of a Wang tile,
+    /// first,second of a domino
+    #[arg(required = true, value_name = "TILE")]
+    pub tiles: Vec<String>,
+    /// One JSON object on standard output
+    #[arg(long, help_heading = "Result")]
+    pub json: bool,
 }
 
 /// The number of packings.

@@ -30,6 +30,11 @@ Exit codes:
 
 /// Examples for `find`.
 pub const FIND: &str = "\
+All dominoes, all Wang tiles and all corner tiles over any number of colors have packings in \
+closed form, for most shapes of the torus. Sets of more than 100 tiles are constructed where that \
+is known, unless an option asks for a search (--method search, --order, --values random, --plain, \
+--pin, --automorphism, --cover, --checkpoint, --status or a limit).
+
 Without -o the packing is written to standard output as a text grid that verify and show read. \
 What is found is checked from the definition before it is written. The same options give the \
 same packing, whatever the number of threads.
@@ -39,6 +44,8 @@ Examples:
   tilepack find --kind corner --colors 3 --set compact --size 9x6 -o compact.json
   tilepack find --kind corner --colors 4 --automorphism 4,0:1,2,3,0 --values random --seed 7
   tilepack find --kind wang --colors 2,3 --order diagonal
+  tilepack find --kind corner --colors 64 -o all.json      # 16777216 tiles, in closed form
+  tilepack find --kind corner --colors 3 --method construct --size 27x3 --seed 5
   tilepack find --kind corner --colors 2 --pin begun.txt    # a grid with . for free cells
   tilepack find --kind corner --colors 4 --method beam --seed 3
   tilepack find --kind corner --colors 6 --set pruned:0-1,2-3,4-5 --size 77x6 --method beam
@@ -46,10 +53,26 @@ Examples:
 Beam search goes on, with new random choices by --seed, until it finds a packing or a limit or \
 signal stops it; a beam that is wider succeeds more often and takes longer.
 
-JSON fields (--json): result (found, none or stopped), method (search, argument or beam), width, \
-height, nodes, seconds, file, reason (why there is none), stopped_by (signal, time-limit or \
-node-limit); by beam search also seed, beam_width and restart (restarts, when stopped); without \
--o also the packing itself, with the fields of a solution file. Numbers of nodes are strings of digits.";
+JSON fields (--json): result (found, none or stopped; unknown if --method construct knows no \
+construction), method (search, construct, argument or beam), width, height, nodes, seconds, file, \
+reason (why there is none), construction and source (of what was constructed), stopped_by \
+(signal, time-limit or node-limit); by beam search also seed, beam_width and restart (restarts, \
+when stopped); without -o also the packing itself, with the fields of a solution file. Numbers of \
+nodes are strings of digits.";
+
+/// Examples for `locate`.
+pub const LOCATE: &str = "\
+A construction works both ways, so no packing is written out to look a tile up. The packing is \
+the one that find --method construct gives with the same options. Rows and columns count from 0, \
+rows from the north, columns from the west.
+
+Examples:
+  tilepack locate --kind corner --colors 64 12345 16777215
+  tilepack locate --kind corner --colors 3 0,1,2,0         # NE 0, SE 1, SW 2, NW 0
+  tilepack locate --kind wang --colors 2,3 --json 7
+
+JSON fields (--json): kind, colors, width, height, construction, source, seed, tiles, a list with \
+one object for each tile: tile, row, column; result unknown and reason if no construction is known.";
 
 /// Examples for `count`.
 pub const COUNT: &str = "\

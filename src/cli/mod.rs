@@ -2,9 +2,9 @@
 //!
 //! * [`args`] is the command line as typed, [`help`] its longer texts; [`set`] and [`problem`]
 //!   turn it into what the library wants and refuse what makes no sense.
-//! * One file a command: [`find`], [`count`], [`list`], [`estimate`], [`resume`], [`plan`], [`part`]
-//!   (the command `run`), [`merge`], [`cluster`] (job files), [`verify`], [`show`], [`sets`];
-//!   [`beam`] is another way to `find`.
+//! * One file a command: [`find`] (by [`construct`] or [`beam`] where they suit), [`locate`],
+//!   [`count`], [`list`], [`estimate`], [`resume`], [`plan`], [`part`] (the command `run`),
+//!   [`merge`], [`cluster`] (job files), [`verify`], [`show`], [`sets`].
 //! * [`session`] runs a search with limits, [`signal`]s, [`progress`], [`eta`] (the time that is
 //!   left) and [`status`]; [`saving`] keeps it in a checkpoint, along with the [`request`] that
 //!   the answer is for.
@@ -16,6 +16,7 @@
 pub mod args;
 pub mod beam;
 pub mod cluster;
+pub mod construct;
 pub mod count;
 pub mod describe;
 pub mod draw;
@@ -26,6 +27,7 @@ pub mod exit;
 pub mod find;
 pub mod help;
 pub mod list;
+pub mod locate;
 pub mod merge;
 pub mod output;
 pub mod part;
@@ -61,6 +63,7 @@ pub fn run() -> Exit {
     };
     let exit = match &cli.command {
         Command::Find(args) => find::run(args),
+        Command::Locate(args) => locate::run(args),
         Command::Count(args) => count::run(args),
         Command::List(args) => list::run(args),
         Command::Estimate(args) => estimate::run(args),

@@ -5,14 +5,16 @@ use super::set;
 use crate::packing::Task;
 use crate::store::{Input, read_pins};
 use crate::symmetry::Automorphism;
+use crate::tiles::TileSet;
 use crate::torus::{Order, Shape};
 use anyhow::Context;
 
-/// The task that the options describe.
+/// The tiles and the torus that the options describe; whether they suit each other is not looked
+/// at.
 ///
 /// # Errors
-/// Anything malformed, contradictory, missing or too large.
-pub fn task(args: &ProblemArgs, order: Option<Order>) -> anyhow::Result<Task> {
+/// Anything malformed, contradictory or missing.
+pub fn set_and_shape(args: &ProblemArgs) -> anyhow::Result<(TileSet, Shape)> {
     let shape: Option<Shape> = match &args.size {
         None => None,
         Some(text) => Some(text.parse().context("--size")?),
@@ -22,6 +24,15 @@ pub fn task(args: &ProblemArgs, order: Option<Order>) -> anyhow::Result<Task> {
         Some(shape) => shape,
         None => Shape::default_for(&set)?,
     };
+    Ok((set, shape))
+}
+
+/// The task that the options describe.
+///
+/// # Errors
+/// Anything malformed, contradictory, missing or too large.
+pub fn task(args: &ProblemArgs, order: Option<Order>) -> anyhow::Result<Task> {
+    let (set, shape) = set_and_shape(args)?;
     Task::check_size(&set, shape)?;
     let mut task = Task::new(set, shape);
     task.cover = args.cover;

@@ -204,6 +204,19 @@ pub fn write_grid(mut out: impl Write, packing: &Packing) -> io::Result<()> {
     } else {
         packing.tiles.iter().map(|tile| tile.0).collect()
     };
+    let largest = numbers.iter().max().copied().unwrap_or(0);
+    write_grid_head(&mut out, packing)?;
+    numbers
+        .chunks(packing.shape.width())
+        .try_for_each(|row| write_grid_row(&mut out, row.iter().copied(), largest))
+}
+
+/// Writes the first line of a grid: what the packing is; its tiles are not looked at.
+///
+/// # Errors
+/// What `out` reports.
+pub fn write_grid_head(mut out: impl Write, about: &Packing) -> io::Result<()> {
+    let set = &about.set;
     let members = match set.members() {
         Members::Explicit(tiles) => {
             let tiles: Vec<_> = tiles.iter().map(TileId::to_string).collect();
@@ -212,11 +225,20 @@ pub fn write_grid(mut out: impl Write, packing: &Packing) -> io::Result<()> {
         members => notation::write_members(members),
     };
     write!(out, "kind={} colors={} set={members}", set.kind(), set.colors())?;
-    writeln!(out, "{}", if packing.cover { " cover" } else { "" })?;
-    let digits = numbers.iter().max().map_or(1, |largest| largest.to_string().len());
-    for row in numbers.chunks(packing.shape.width()) {
-        let row: Vec<_> = row.iter().map(|number| format!("{number:>digits$}")).collect();
-        writeln!(out, "{}", row.join(" "))?;
-    }
-    Ok(())
+    writeln!(out, "{}", if about.cover { " cover" } else { "" })
+}
+
+/// Writes a row of a grid, lattice colors for corner tiles, else tile numbers; `largest` is the
+/// largest number of the grid.
+///
+/// # Errors
+/// What `out` reports.
+pub fn write_grid_row(
+    mut out: impl Write,
+    row: impl Iterator<Item = u32>,
+    largest: u32,
+) -> io::Result<()> {
+    let digits = largest.to_string().len();
+    let row: Vec<_> = row.map(|number| format!("{number:>digits$}")).collect();
+    writeln!(out, "{}", row.join(" "))
 }

@@ -40,7 +40,7 @@ pub use atomic::{AtomicFile, check_writable, write_file};
 pub use checkpoint::{Checkpoint, Opened, previous, read_checkpoint, set_aside, write_checkpoint};
 pub use claim::Claim;
 pub use error::StoreError;
-pub use grid::write_grid;
+pub use grid::{write_grid, write_grid_head, write_grid_row};
 pub use job::{fingerprint, read_job, write_job};
 pub use keeping::{Keeping, Report, Writer, Written};
 pub use kept::{Extent, Kept};
@@ -49,7 +49,7 @@ pub use pins::read_pins;
 pub use plan::{MAX_PARTS, PartFiles, PartResult, SearchPlan};
 pub use read::{Input, MAX_BYTES};
 pub use sealed::hexadecimal;
-pub use solution::{FORMAT, Layout, Solution, write_solution};
+pub use solution::{FORMAT, Layout, Solution, TakeRow, write_solution, write_solution_rows};
 pub use solutions::{Solutions, read_solution, solutions};
 pub use tile_set::{NamedSet, read_tile_set, write_tile_set};
 

@@ -147,34 +147,74 @@ pub enum Layout {
 /// # Errors
 /// What `out` reports.
 pub fn write_solution(
-    mut out: impl Write,
+    out: impl Write,
     packing: &Packing,
     provenance: &Value,
     layout: Layout,
 ) -> io::Result<()> {
+    let rows = |take: &mut TakeRow<'_>| packing.rows().try_for_each(take);
+    write_solution_rows(out, packing, provenance, layout, rows)
+}
+
+/// What is done with each row of tiles.
+pub type TakeRow<'a> = dyn FnMut(&[TileId]) -> io::Result<()> + 'a;
+
+/// As [`write_solution`] for a packing that is never whole: `about` says what it is, its tiles
+/// are not looked at, and `rows` gives the rows from the north.
+///
+/// # Errors
+/// What `out` or `rows` reports.
+pub fn write_solution_rows(
+    mut out: impl Write,
+    about: &Packing,
+    provenance: &Value,
+    layout: Layout,
+    rows: impl FnOnce(&mut TakeRow<'_>) -> io::Result<()>,
+) -> io::Result<()> {
     let pretty = layout == Layout::Pretty;
     let (gap, space) = if pretty { ("\n  ", " ") } else { ("", "") };
     write!(out, "{{{gap}\"format\":{space}\"{FORMAT}\"")?;
-    for (name, value) in fields(packing) {
+    for (name, value) in fields(about) {
         write!(out, ",{gap}\"{name}\":{space}{value}")?;
     }
     write!(out, ",{gap}\"tiles\":{space}[")?;
-    for (row, tiles) in packing.rows().enumerate() {
-        let comma = if row > 0 { "," } else { "" };
-        write!(out, "{comma}{}[", if pretty { "\n    " } else { "" })?;
-        for (column, tile) in tiles.iter().enumerate() {
-            match column {
-                0 => write!(out, "{tile}")?,
-                _ => write!(out, ",{space}{tile}")?,
-            }
+    let mut line = Vec::new();
+    let mut begins = true;
+    rows(&mut |tiles| {
+        line.clear();
+        if !std::mem::replace(&mut begins, false) {
+            line.push(b',');
         }
-        write!(out, "]")?;
-    }
+        line.extend_from_slice(if pretty { b"\n    [" } else { b"[" });
+        for (column, tile) in tiles.iter().enumerate() {
+            if column > 0 {
+                line.extend_from_slice(if pretty { b", " } else { b"," });
+            }
+            push_decimal(&mut line, tile.0);
+        }
+        line.push(b']');
+        out.write_all(&line)
+    })?;
     write!(out, "{}]", if pretty { "\n  " } else { "" })?;
     if !provenance.is_null() {
         write!(out, ",{gap}\"provenance\":{space}{provenance}")?;
     }
     writeln!(out, "{}}}", if pretty { "\n" } else { "" })
+}
+
+/// Adds a number in decimal digits; `write!` takes several times as long.
+fn push_decimal(text: &mut Vec<u8>, mut number: u32) {
+    let mut digits = [0; 10];
+    let mut from = digits.len();
+    loop {
+        from -= 1;
+        digits[from] = b'0' + (number % 10) as u8;
+        number /= 10;
+        if number == 0 {
+            break;
+        }
+    }
+    text.extend_from_slice(&digits[from..]);
 }
 
 /// The fields between the format and the tiles.

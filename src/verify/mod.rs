@@ -11,13 +11,17 @@
 //!
 //! Source: Lagae 2007, sections 2.2 and 5.5; Schlömer 2012, sections 2.4 and 3.3.
 
+mod cube;
 mod decode;
 mod fault;
 mod members;
 mod neighbors;
 mod occurrences;
+mod rows;
 
+pub use cube::{CubeFault, check_cubes};
 pub use fault::{Fault, Place, Tile, Touch};
+pub use rows::{RowCheck, RowFault};
 
 use crate::tiles::Kind;
 use crate::torus::Packing;

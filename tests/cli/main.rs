@@ -6,6 +6,7 @@
 
 mod bad_input;
 mod beam;
+mod construct;
 mod count;
 mod estimate;
 mod files;

@@ -87,9 +87,11 @@ fn end(args: &str, name: &str) -> (Output, Duration) {
 #[test]
 fn signals_end_a_search_within_a_second() {
     for name in ["INT", "TERM"] {
-        for args in
-            [COUNT, "list --kind corner --colors 4 --order column", "find --kind corner --colors 5"]
-        {
+        for args in [
+            COUNT,
+            "list --kind corner --colors 4 --order column",
+            "find --kind corner --colors 5 --order row",
+        ] {
             let (output, time) = end(args, name);
             let stderr = String::from_utf8(output.stderr).unwrap();
             assert_eq!(output.status.code(), Some(75), "{args} {name}: {stderr}");

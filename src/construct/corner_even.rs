@@ -1,0 +1,144 @@
+//! All corner tiles over an even number `C = 2k` of colors on a square torus of `C^2` a side.
+//!
+//! The torus is tiled by 4 x 4 blocks; block `(u, v)`, `0 <= u, v < k^2`. A color is
+//! `2 d + b`: the low bit `b` is that of the torus [`BASE`] in the block, and the digit `d`
+//! counts blocks in base `k`: cells in an even row and even column show the low digit of `u`, in
+//! an odd row and even column its high digit, and in odd columns likewise the digits of `v`.
+//!
+//! *Why every window occurs once:* its low bits say where in a block it begins. It has one cell
+//! of each parity class, so shows all four digits, and these say which block; only where it
+//! begins in the last row of a block does it show the low digit of `u + 1` for that of `u`.
+//! (The high digit is then still that of `u`, and digits of `v` stand in odd columns, which the
+//! last column of a block shows before the next block begins.)
+//!
+//! Other members: the digits permuted in each of the 16 cells of the block by itself, the base
+//! shifted and transposed, the colors permuted. Existence: Hurlbert, Mitchell, Paterson 1996.
+
+use super::Seed;
+use super::corner::Window;
+
+/// The packing of the 16 corner tiles over two colors: the first in row order.
+pub const BASE: [[u8; 4]; 4] = [[0, 0, 0, 1], [0, 0, 1, 0], [1, 0, 1, 1], [0, 1, 1, 1]];
+
+/// The color at a row and column, for even `colors`.
+pub fn color(colors: usize, row: usize, column: usize) -> u8 {
+    let k = colors / 2;
+    let block = if column.is_multiple_of(2) { row / 4 } else { column / 4 };
+    let digit = if row.is_multiple_of(2) { block % k } else { block / k };
+    2 * digit as u8 + BASE[row % 4][column % 4]
+}
+
+/// A member of the family. [`EvenTorus::new`] without a seed is the closed form [`color`].
+#[derive(Debug, Clone)]
+pub struct EvenTorus {
+    /// Half the number of colors.
+    k: usize,
+    /// For each of the 16 cells of a block, the color for each digit.
+    colors: Vec<[u8; 128]>,
+    /// For each cell of a block and each color the digit.
+    digits: Vec<[u8; 256]>,
+    /// The low bit of every color.
+    bits: Vec<u8>,
+    /// For the low bits `NW NE SW SE` of a window, the cell of a block where they begin.
+    begins: [u8; 16],
+}
+
+impl EvenTorus {
+    /// The closed form, or a member chosen by a seed; `colors` must be even.
+    pub fn new(colors: usize, mut seed: Option<&mut Seed>) -> Self {
+        let k = colors / 2;
+        let mut base = BASE;
+        let mut names: Vec<u8> = (0..colors).map(|color| color as u8).collect();
+        if let Some(seed) = seed.as_deref_mut() {
+            let (down, right, transposed) = (seed.below(4), seed.below(4), seed.below(2) == 1);
+            for (row, cells) in base.iter_mut().enumerate() {
+                for (column, cell) in cells.iter_mut().enumerate() {
+                    let (row, column) = ((row + down) % 4, (column + right) % 4);
+                    *cell = if transposed { BASE[column][row] } else { BASE[row][column] };
+                }
+            }
+            seed.shuffle(&mut names);
+        }
+        let mut torus = Self {
+            k,
+            colors: vec![[0; 128]; 16],
+            digits: vec![[0; 256]; 16],
+            bits: vec![0; 256],
+            begins: [0; 16],
+        };
+        for (color, &name) in names.iter().enumerate() {
+            torus.bits[usize::from(name)] = color as u8 % 2;
+        }
+        for cell in 0..16 {
+            let (row, column) = (cell / 4, cell % 4);
+            let mut order: Vec<u8> = (0..k).map(|digit| digit as u8).collect();
+            if let Some(seed) = seed.as_deref_mut() {
+                seed.shuffle(&mut order);
+            }
+            for (digit, &shown) in order.iter().enumerate() {
+                let color = names[usize::from(2 * shown + base[row][column])];
+                torus.colors[cell][digit] = color;
+                torus.digits[cell][usize::from(color)] = digit as u8;
+            }
+            let at = |r: usize, c: usize| base[(row + r) % 4][(column + c) % 4];
+            torus.begins[bits([[at(0, 0), at(0, 1)], [at(1, 0), at(1, 1)]])] = cell as u8;
+        }
+        torus
+    }
+
+    /// Columns, and rows.
+    pub fn side(&self) -> usize {
+        4 * self.k * self.k
+    }
+
+    /// Writes the colors of a row.
+    pub fn row(&self, row: usize, colors: &mut [u8]) {
+        let (k, block) = (self.k, row / 4);
+        let even = row.is_multiple_of(2);
+        let tables: [&[u8]; 4] = std::array::from_fn(|c| &self.colors[row % 4 * 4 + c][..k]);
+        let digit = if even { block % k } else { block / k };
+        let (first, third) = (tables[0][digit], tables[2][digit]);
+        // The blocks of a row in k runs of k: the high digit of v counts the runs, its low
+        // digit the blocks of one.
+        for (high, run) in colors.chunks_exact_mut(4 * k).enumerate() {
+            let (second, fourth) = (tables[1][high], tables[3][high]);
+            if even {
+                let digits = tables[1].iter().zip(tables[3]);
+                for (cells, (&second, &fourth)) in run.chunks_exact_mut(4).zip(digits) {
+                    cells.copy_from_slice(&[first, second, third, fourth]);
+                }
+            } else {
+                for cells in run.chunks_exact_mut(4) {
+                    cells.copy_from_slice(&[first, second, third, fourth]);
+                }
+            }
+        }
+    }
+
+    /// The row and column of a window.
+    pub fn find(&self, window: Window) -> (usize, usize) {
+        let low = window.map(|pair| pair.map(|color| self.bits[usize::from(color)]));
+        let begin = usize::from(self.begins[bits(low)]);
+        let (row, column) = (begin / 4, begin % 4);
+        let digit = |r: usize, c: usize| {
+            let cell = (row + r) % 4 * 4 + (column + c) % 4;
+            usize::from(self.digits[cell][usize::from(window[r][c])])
+        };
+        // Where in the window the even row and the even column are.
+        let (r, c) = (row % 2, column % 2);
+        let low = digit(r, c);
+        let low = match (row == 3, low) {
+            (true, 0) => self.k - 1,
+            (true, low) => low - 1,
+            (false, low) => low,
+        };
+        let u = digit(1 - r, c) * self.k + low;
+        let v = digit(1 - r, 1 - c) * self.k + digit(r, 1 - c);
+        (4 * u + row, 4 * v + column)
+    }
+}
+
+/// The low bits of a window as one number.
+fn bits([[nw, ne], [sw, se]]: Window) -> usize {
+    usize::from(8 * nw + 4 * ne + 2 * sw + se)
+}
