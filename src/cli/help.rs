@@ -18,8 +18,8 @@ Examples:
   tilepack find --kind corner --colors 3 -o p.json; tilepack show p.json
   tilepack count --kind wang --colors 2            how many packings of the 16 Wang tiles there are
   tilepack count --kind corner --colors 2 --up-to-symmetry
-  tilepack estimate --kind corner --colors 3       about how many there are, and how long to count
-  tilepack count --kind corner --colors 3 --checkpoint c3.checkpoint; tilepack resume c3.checkpoint
+  tilepack estimate --kind corner --colors 3 --time-limit 1m   about how many, how long to count
+  tilepack count --kind corner --colors 3 --checkpoint c3.checkpoint --time-limit 1m
   tilepack list --kind corner --colors 2 -o all.jsonl; tilepack verify all.jsonl
 
 Exit codes:
