@@ -53,8 +53,8 @@ const CRATES: &[(&str, &[&str])] = &[
     ("serde_json", &["store/", "cli/"]),
     ("rayon", &["packing/", "symmetry/", "cli/"]),
     ("crossbeam", &["search/", "store/keeping.rs"]),
-    ("rand", &["search/estimate/"]),
-    ("rand_pcg", &["search/estimate/"]),
+    ("rand", &["search/estimate/", "anneal/", "beam/", "compact/", "construct/"]),
+    ("rand_pcg", &["search/estimate/", "anneal/", "beam/", "compact/", "construct/"]),
 ];
 
 /// What no part of the crate may ask: the clock on the wall can be set back. Time is measured
