@@ -39,9 +39,8 @@ pub fn answer(args: &FindArgs) -> anyhow::Result<Option<Exit>> {
         }
         return Ok(None);
     }
-    let limited = args.search.run.time_limit.is_some() || args.search.run.node_limit.is_some();
     let (set, shape) = problem::set_and_shape(&args.problem)?;
-    if !asked && (limited || set.size() <= MOST_TO_SEARCH) {
+    if !asked && set.size() <= MOST_TO_SEARCH {
         return Ok(None);
     }
     let begin = Instant::now();

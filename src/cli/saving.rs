@@ -87,7 +87,7 @@ impl Saving {
         let kept = match (job.is_list(), checkpoint.kept) {
             (false, _) => None,
             (true, Some(extent)) => Some(Kept::open(save.kept.clone(), extent)?),
-            (true, None) => Some(Kept::new(save.kept.clone())),
+            (true, None) => bail!("{}: does not say which packings it met", save.file.display()),
         };
         if let Some(fault) = opened.fault {
             let aside = match set_aside(&save.file)? {

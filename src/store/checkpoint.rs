@@ -220,17 +220,20 @@ pub struct Opened {
     pub fault: Option<StoreError>,
 }
 
-/// Reads the newest checkpoint that is whole.
+/// Reads the newest checkpoint that is whole. One that is whole but cannot be read here (no
+/// permission, a newer format) is no reason to go back to an older one.
 ///
 /// # Errors
 /// When there is none: what is wrong with the newest.
 pub fn read_checkpoint(file: &Path) -> Result<Opened, StoreError> {
-    match read_one(file) {
-        Ok(checkpoint) => Ok(Opened { checkpoint, fault: None }),
-        Err(fault) => match read_one(&previous(file)) {
-            Ok(checkpoint) => Ok(Opened { checkpoint, fault: Some(fault) }),
-            Err(_) => Err(fault),
-        },
+    let fault = match read_one(file) {
+        Ok(checkpoint) => return Ok(Opened { checkpoint, fault: None }),
+        Err(fault @ (StoreError::Missing { .. } | StoreError::Content { .. })) => fault,
+        Err(error) => return Err(error),
+    };
+    match read_one(&previous(file)) {
+        Ok(checkpoint) => Ok(Opened { checkpoint, fault: Some(fault) }),
+        Err(_) => Err(fault),
     }
 }
 

@@ -74,6 +74,16 @@ pub enum StoreError {
         /// What is wrong and what was expected.
         message: String,
     },
+    /// A later version of the program wrote it.
+    #[error("{}: has version {version} of the format; this program reads up to version {known}", .file.display())]
+    Newer {
+        /// The path.
+        file: PathBuf,
+        /// Its version.
+        version: u64,
+        /// The newest version known.
+        known: u16,
+    },
     /// Another process works on it.
     #[error("{}: another process is at work on it (it has locked {})", .file.display(), .lock.display())]
     Locked {
@@ -104,6 +114,7 @@ impl StoreError {
             | StoreError::Syntax { file, .. }
             | StoreError::Cell { file, .. }
             | StoreError::Content { file, .. }
+            | StoreError::Newer { file, .. }
             | StoreError::Locked { file, .. }
             | StoreError::Unwritable { file, .. } => file,
         }

@@ -73,11 +73,6 @@ pub(super) fn read<'a>(
     };
     let short = || wrong(format!("is cut short: {} bytes are not even a frame", bytes.len()));
     let version = number(8, 2).ok_or_else(short)?;
-    if version == 0 || version > u64::from(VERSION) {
-        return Err(wrong(format!(
-            "has version {version} of the format; this program reads up to version {VERSION}"
-        )));
-    }
     let length = number(12, 8).ok_or_else(short)?;
     let expected = length.saturating_add((HEAD + HASH) as u64);
     if bytes.len() as u64 != expected {
@@ -87,6 +82,10 @@ pub(super) fn read<'a>(
     let (content, hash) = bytes.split_at(bytes.len() - HASH);
     if blake3::hash(content).as_bytes() != hash {
         return Err(wrong("is damaged: its checksum does not match its content".into()));
+    }
+    // Now that it is known not to be damage.
+    if version > u64::from(VERSION) {
+        return Err(StoreError::Newer { file: file.into(), version, known: VERSION });
     }
     if number(10, 2) != Some(kind as u64) {
         return Err(wrong("is not a checkpoint, but another file of this program".into()));

@@ -51,7 +51,9 @@ fn auto_constructs_large_sets() {
         ("--kind corner --colors 4 --method search --node-limit 9", false),
         ("--kind corner --colors 4 --order row --node-limit 9", false),
         ("--kind corner --colors 4 --values random --node-limit 9", false),
-        ("--kind corner --colors 4 --node-limit 9", false),
+        // A limit is one of the time to wait, not a wish for a search.
+        ("--kind corner --colors 4 --node-limit 9", true),
+        ("--kind corner --colors 4 --time-limit 10s", true),
         ("--kind corner --colors 12", true),
         ("--kind wang --colors 12", true),
         ("--kind domino --colors 200", true),

@@ -35,7 +35,7 @@ fn a_node_limit() {
 
 #[test]
 fn a_search_that_finds_nothing_in_time() {
-    let find = "find --kind corner --colors 4 --node-limit 1000";
+    let find = "find --kind corner --colors 4 --method search --node-limit 1000";
     let found = run(find).exits(75);
     assert_eq!(found.stdout, "");
     assert!(found.stderr.contains("stopped early by the node limit: 1000 nodes"), "{found:#?}");

@@ -155,6 +155,8 @@ fn content_is_not_believed() {
     refused(&|c| c.job = c.job.replace("\"3\"", "\"300\""), "x.ck: ");
     refused(&|c| c.job = c.job.replace(":", ": "), "x.ck: ");
     refused(&|c| c.job = "{".into(), "x.ck: ");
+    let list = |c: &mut Checkpoint| c.job = c.job.replace("\"count\"", "\"list\"");
+    refused(&list, "x.ck: does not say which packings it met");
 }
 
 /// The hash of the search stands in the frame, and must be that of the search inside.
@@ -173,8 +175,14 @@ fn the_fingerprint_is_that_of_the_search() {
     let hash = blake3::hash(&bytes[..end]);
     bytes[end..].copy_from_slice(hash.as_bytes());
     let error = Checkpoint::from_bytes(&place.path("x.ck"), &bytes).unwrap_err().to_string();
-    assert!(
-        error.contains("version 2 of the format; this program reads up to version 1"),
-        "{error}"
-    );
+    let told = "version 2 of the format; this program reads up to version 1";
+    assert!(error.contains(told), "{error}");
+    // It is no damage: neither set aside nor passed over for the one before it.
+    fs::copy(place.path("x.ck"), place.path("x.ck.previous")).unwrap();
+    fs::write(place.path("x.ck"), &bytes).unwrap();
+    for args in [COUNT, "resume x.ck"] {
+        let run = place.run(args).exits(2);
+        assert!(run.stderr.contains(told), "{run:?}");
+    }
+    assert_eq!(place.files(), ["x.ck", "x.ck.previous"]);
 }
