@@ -13,7 +13,7 @@ const LAYERS: &[(&str, &[&str])] = &[
     ("tiles", &[]),
     ("torus", &["tiles"]),
     // Closed forms: no search.
-    ("construct", &["tiles", "torus"]),
+    ("construct", &["tiles", "torus", "compact"]),
     ("count", &["construct"]),
     ("search", &[]),
     ("symmetry", &["tiles", "torus"]),
@@ -36,6 +36,7 @@ const LAYERS: &[(&str, &[&str])] = &[
             "symmetry",
             "packing",
             "beam",
+            "anneal",
             "verify",
             "store",
             "cluster",

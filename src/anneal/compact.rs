@@ -18,28 +18,41 @@ use rand_pcg::Pcg64;
 /// Moves between two looks at the limits.
 const MOVES: u32 = 1 << 14;
 
-/// The colors of the lattice points, row by row from the north; `None` when a limit was met
-/// (nodes are moves), or the torus has not `2 C^3` cells, or no side that is a multiple of `C` above `C`.
-pub fn compact_corner(
-    colors: usize,
-    shape: Shape,
-    seed: u64,
-    limits: &Limits<'_>,
-) -> Option<Vec<u8>> {
+/// What annealing came to.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Annealed {
+    /// The colors of the lattice points, row by row from the north; `None` when a limit was met.
+    pub labels: Option<Vec<u8>>,
+    /// Moves tried.
+    pub moves: u64,
+}
+
+/// Whether the torus has `2 C^3` cells and a side that the symmetry suits.
+pub fn suits(colors: usize, shape: Shape) -> bool {
+    (2..=255).contains(&colors)
+        && shape.cells() == 2 * colors.pow(3)
+        && [shape.width(), shape.height()].iter().any(|&side| turns(colors, side))
+}
+
+/// Whether the colors make a turn along a side. One unknown column would make all (SW, SE) alike.
+fn turns(colors: usize, side: usize) -> bool {
+    side.is_multiple_of(colors) && side > colors
+}
+
+/// A packing of the compact set; nodes of the limits are moves. Finds nothing where the torus
+/// does not suit ([`suits`]).
+pub fn compact_corner(colors: usize, shape: Shape, seed: u64, limits: &Limits<'_>) -> Annealed {
     let (w, h) = (shape.width(), shape.height());
-    if !(2..=255).contains(&colors) || shape.cells() != 2 * colors.pow(3) {
-        return None;
+    if !suits(colors, shape) {
+        return Annealed { labels: None, moves: 0 };
     }
-    // One unknown column would make all (SW, SE) alike.
-    let suits = |side: usize| side.is_multiple_of(colors) && side > colors;
-    if suits(w) {
+    if turns(colors, w) {
         return Quotient::new(colors, w / colors, h).anneal(seed, limits);
     }
-    if !suits(h) {
-        return None;
-    }
-    let cells = Quotient::new(colors, h / colors, w).anneal(seed, limits)?;
-    Some((0..w * h).map(|i| cells[(w - 1 - i % w) * h + (h - 1 - i / w)]).collect())
+    let Annealed { labels, moves } = Quotient::new(colors, h / colors, w).anneal(seed, limits);
+    let reflected =
+        |cells: Vec<u8>| (0..w * h).map(|i| cells[(w - 1 - i % w) * h + (h - 1 - i / w)]).collect();
+    Annealed { labels: labels.map(reflected), moves }
 }
 
 /// The unknown cells, and what is counted about their windows.
@@ -67,7 +80,7 @@ impl Quotient {
         }
     }
 
-    fn anneal(mut self, seed: u64, limits: &Limits<'_>) -> Option<Vec<u8>> {
+    fn anneal(mut self, seed: u64, limits: &Limits<'_>) -> Annealed {
         let mut rng = Pcg64::seed_from_u64(seed);
         let temperature = if self.colors < 8 { 0.45 } else { 0.40 };
         let accept: Vec<f64> = (0..64).map(|rise| (-f64::from(rise) / temperature).exp()).collect();
@@ -76,7 +89,7 @@ impl Quotient {
         let mut moves = 0;
         while self.cost > 0 {
             if moves >= limits.nodes || limits.stop.should_stop() {
-                return None;
+                return Annealed { labels: None, moves };
             }
             for _ in 0..MOVES {
                 self.change(&mut rng, &accept);
@@ -87,7 +100,9 @@ impl Quotient {
             }
         }
         let all = |row| (0..self.columns * self.colors).map(move |column| (row, column));
-        Some((0..self.rows).flat_map(all).map(|(row, column)| self.at(row, column) as u8).collect())
+        let cells = (0..self.rows).flat_map(all);
+        let labels = cells.map(|(row, column)| self.at(row, column) as u8).collect();
+        Annealed { labels: Some(labels), moves }
     }
 
     /// Gives a random cell a random other color, or not.

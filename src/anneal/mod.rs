@@ -9,4 +9,4 @@
 
 pub mod compact;
 
-pub use compact::compact_corner;
+pub use compact::{Annealed, compact_corner};

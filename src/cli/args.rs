@@ -210,14 +210,17 @@ pub struct FindArgs {
 /// Ways to find a packing.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 pub enum Method {
-    /// A construction for sets of more than 100 tiles where one is known and no option asks
-    /// for a search; else search
+    /// A construction where one is known, annealing or beam search where they are quick, else
+    /// search; search also when an option asks for one. Says which, and why
     Auto,
     /// A packing known in closed form, or none; --seed other than 0 chooses a random member of
     /// its family
     Construct,
     /// Exhaustive search
     Search,
+    /// Annealing: compact corner sets on tori with a side that is a multiple of the colors;
+    /// never says there is none
+    Anneal,
     /// Beam search: unrestricted packings of corner tiles in seconds; never says there is none
     Beam,
 }

@@ -3,7 +3,7 @@
 //! Small packings are checked whole by [`verify::check`]. Large ones are never held whole: one
 //! pass generates the rows and checks them with a bit a tile, the next generates and writes them.
 
-use super::args::{FindArgs, Method, ValueOrder};
+use super::args::{FindArgs, ValueOrder};
 use super::exit::Exit;
 use super::{describe, duration, output, problem};
 use crate::construct::{Constructed, NotConstructed, construct};
@@ -20,48 +20,48 @@ use serde_json::{Value, json};
 use std::io::{self, Write};
 use std::time::Instant;
 
-/// A search finds packings of so many tiles at once, and the first of them in order: a better
-/// answer than a constructed one.
-const MOST_TO_SEARCH: u64 = 100;
-
 /// Packings of so many cells are checked whole.
 const MOST_TO_HOLD: usize = 1 << 20;
 
-/// Constructs the packing and gives the answer; `None` if it is for the search to answer.
+/// `--method construct`.
 ///
 /// # Errors
 /// Bad input, or a file that cannot be written.
-pub fn answer(args: &FindArgs) -> anyhow::Result<Option<Exit>> {
-    let asked = args.method == Method::Construct;
+pub fn run(args: &FindArgs) -> anyhow::Result<Exit> {
     if let Some(option) = asks_for_search(args) {
-        if asked {
-            bail!("--method construct: {option} is for a search");
-        }
-        return Ok(None);
+        bail!("--method construct: {option} is for a search");
     }
     let (set, shape) = problem::set_and_shape(&args.problem)?;
-    if !asked && set.size() <= MOST_TO_SEARCH {
-        return Ok(None);
-    }
     let begin = Instant::now();
     match find(&set, shape, args.search.seed) {
-        Ok(constructed) => {
-            if let Some(file) = &args.output {
-                check_writable(file)?;
-            }
-            check(&constructed)?;
-            found(args, &constructed, begin).map(|()| Some(Exit::Yes))
-        }
-        Err(_) if !asked => Ok(None),
+        Ok(constructed) => give(args, &constructed, begin, None),
         Err(why) => {
             check_size(&set, shape)?;
-            not_found(args, shape, &why, begin).map(|()| Some(Exit::No))
+            not_found(args, shape, &why, begin).map(|()| Exit::No)
         }
     }
 }
 
+/// Checks a construction and writes it where it is wanted; `why` it was chosen, if the program
+/// did.
+///
+/// # Errors
+/// A file that cannot be written, memory that is not there.
+pub fn give(
+    args: &FindArgs,
+    constructed: &Constructed,
+    begin: Instant,
+    why: Option<&str>,
+) -> anyhow::Result<Exit> {
+    if let Some(file) = &args.output {
+        check_writable(file)?;
+    }
+    check(constructed)?;
+    found(args, constructed, begin, why).map(|()| Exit::Yes)
+}
+
 /// The option that only a search can follow, if one was given.
-fn asks_for_search(args: &FindArgs) -> Option<&'static str> {
+pub(super) fn asks_for_search(args: &FindArgs) -> Option<&'static str> {
     let (problem, search) = (&args.problem, &args.search);
     let options = [
         (problem.pin.is_some(), "--pin"),
@@ -138,7 +138,11 @@ fn not_found(
     };
     if args.json {
         let mut fields = fields(result, method, shape, begin);
-        fields.extend([("file", Value::Null), ("reason", json!(why.to_string()))]);
+        fields.extend([
+            ("file", Value::Null),
+            ("reason", json!(why.to_string())),
+            ("why", Value::Null),
+        ]);
         return output::object(&fields);
     }
     match why {
@@ -162,7 +166,12 @@ fn fields(result: &str, method: &str, shape: Shape, begin: Instant) -> Vec<(&'st
 }
 
 /// Writes the packing where it is wanted.
-fn found(args: &FindArgs, constructed: &Constructed, begin: Instant) -> anyhow::Result<()> {
+fn found(
+    args: &FindArgs,
+    constructed: &Constructed,
+    begin: Instant,
+    why: Option<&str>,
+) -> anyhow::Result<()> {
     let (shape, seed) = (constructed.shape(), args.search.seed);
     let set = constructed.set().clone();
     let about = Packing { set, shape, cover: false, tiles: Vec::new() };
@@ -182,7 +191,7 @@ fn found(args: &FindArgs, constructed: &Constructed, begin: Instant) -> anyhow::
         })?;
     }
     if args.json {
-        print_json(args, constructed, &about, begin)?;
+        print_json(args, constructed, &about, begin, why)?;
     } else if args.output.is_none() {
         output::result(|out| {
             writeln!(out, "# constructed: {how}")?;
@@ -228,12 +237,14 @@ fn print_json(
     constructed: &Constructed,
     about: &Packing,
     begin: Instant,
+    why: Option<&str>,
 ) -> anyhow::Result<()> {
     let file = args.output.as_deref().map(|file| file.to_string_lossy());
     let mut fields = fields("found", "construct", constructed.shape(), begin);
     fields.extend([
         ("file", json!(file)),
         ("reason", Value::Null),
+        ("why", json!(why)),
         ("construction", json!(constructed.name())),
         ("source", json!(constructed.source())),
         ("seed", json!(args.search.seed)),

@@ -1,11 +1,12 @@
 //! `find`: one packing, checked from the definition before anybody sees it.
 
 use super::args::{FindArgs, Method, ValueOrder};
+use super::choose::{self, Way};
 use super::exit::Exit;
 use super::request::Request;
 use super::saving::Save;
 use super::session::{Done, Session};
-use super::{beam, construct, describe, output, problem};
+use super::{anneal, beam, construct, describe, output, problem};
 use crate::packing::{Job, Question};
 use crate::search::Values;
 use crate::store::{Layout, check_writable, write_file, write_grid, write_solution};
@@ -14,6 +15,7 @@ use crate::verify;
 use anyhow::bail;
 use serde_json::{Map, Value, json};
 use std::path::Path;
+use std::time::Instant;
 
 /// Runs the command.
 ///
@@ -21,14 +23,41 @@ use std::path::Path;
 /// Bad input, or a file that cannot be written.
 pub fn run(args: &FindArgs) -> anyhow::Result<Exit> {
     beam::refuse_width(args)?;
-    if args.method == Method::Beam {
-        return beam::run(args);
+    match args.method {
+        Method::Beam => beam::run(args),
+        Method::Anneal => anneal::run(args, None),
+        Method::Construct => construct::run(args),
+        Method::Search => search(args, None),
+        Method::Auto => {
+            let begin = Instant::now();
+            let (way, why) = choose::choose(args)?;
+            match way {
+                Way::Constructed(constructed) => {
+                    construct::give(args, &constructed, begin, Some(&why))
+                }
+                Way::Anneal => {
+                    tell(args, "anneal", &why);
+                    anneal::run(args, Some(why))
+                }
+                Way::Beam => {
+                    tell(args, "beam", &why);
+                    beam::run(args)
+                }
+                Way::Search => search(args, Some(why)),
+            }
+        }
     }
-    if args.method != Method::Search
-        && let Some(exit) = construct::answer(args)?
-    {
-        return Ok(exit);
+}
+
+/// Says which method was chosen, and why.
+fn tell(args: &FindArgs, method: &str, why: &str) {
+    if !args.search.run.quiet {
+        output::remark(&format!("method {method}: {why}"));
     }
+}
+
+/// Exhaustive search; `why` it was chosen, if it was not asked for.
+fn search(args: &FindArgs, why: Option<String>) -> anyhow::Result<Exit> {
     let task = problem::task(&args.problem, args.search.order)?;
     let values = match args.values {
         ValueOrder::Lexicographic => Values::Lexicographic,
@@ -40,6 +69,7 @@ pub fn run(args: &FindArgs) -> anyhow::Result<Exit> {
         json: args.json,
         pins: args.problem.pin.as_ref().map(|pin| pin.to_string_lossy().into_owned()),
         automorphism: args.problem.automorphism.clone(),
+        why,
     };
     let save = Save::asked(args.search.checkpoint.as_deref(), &job)?;
     answer(&job, &request, &Session::new(&args.search.run)?, save)
@@ -175,6 +205,7 @@ impl Find<'_> {
         ];
         fields.extend(done.fields());
         fields.extend([("file", json!(file)), ("reason", json!(reason))]);
+        fields.push(("why", json!(request.why)));
         if let Values::Random(seed) = job.values {
             fields.push(("seed", json!(seed)));
         }

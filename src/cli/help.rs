@@ -31,9 +31,11 @@ Exit codes:
 /// Examples for `find`.
 pub const FIND: &str = "\
 All dominoes, all Wang tiles and all corner tiles over any number of colors have packings in \
-closed form, for most shapes of the torus. Sets of more than 100 tiles are constructed where that \
-is known, unless an option asks for a search (--method search, --order, --values random, --plain, \
---pin, --automorphism, --cover, --checkpoint, --status or a limit).
+closed form, for most shapes of the torus; compact sets are constructed in many shapes. What is \
+known is constructed, unless an option asks for a search (--order, --values random, --plain, \
+--pin, --automorphism, --cover, --checkpoint or --status). Other compact corner sets of up to 8 \
+colors are annealed, pruned sets of 100 to 1000 tiles packed by beam search, where that can work; \
+all else is searched exhaustively. It is said which, and why.
 
 Without -o the packing is written to standard output as a text grid that verify and show read. \
 What is found is checked from the definition before it is written. The same options give the \
@@ -41,6 +43,7 @@ same packing, whatever the number of threads.
 
 Examples:
   tilepack find --kind corner --colors 3
+  tilepack find --kind corner --colors 3 --method search
   tilepack find --kind corner --colors 3 --set compact --size 9x6 -o compact.json
   tilepack find --kind corner --colors 4 --automorphism 4,0:1,2,3,0 --values random --seed 7
   tilepack find --kind wang --colors 2,3 --order diagonal
@@ -54,10 +57,11 @@ Beam search goes on, with new random choices by --seed, until it finds a packing
 signal stops it; a beam that is wider succeeds more often and takes longer.
 
 JSON fields (--json): result (found, none or stopped; unknown if --method construct knows no \
-construction), method (search, construct, argument or beam), width, height, nodes, seconds, file, \
+construction), method (search, construct, anneal, argument or beam), why (this method, when \
+tilepack chose it), width, height, nodes, seconds, file, \
 reason (why there is none), construction and source (of what was constructed), stopped_by \
-(signal, time-limit or node-limit); by beam search also seed, beam_width and restart (restarts, \
-when stopped); without -o also the packing itself, with the fields of a solution file. Numbers of \
+(signal, time-limit or node-limit), seed (of random choices); by beam search also beam_width \
+and restart (restarts, when stopped); without -o also the packing itself, with the fields of a solution file. Numbers of \
 nodes are strings of digits.";
 
 /// Examples for `locate`.

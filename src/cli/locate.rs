@@ -43,7 +43,10 @@ pub fn run(args: &LocateArgs) -> anyhow::Result<Exit> {
     let mut places = Vec::with_capacity(tiles.len());
     for &tile in &tiles {
         let place = constructed.locate(tile);
-        places.push(place.with_context(|| format!("tile {tile} is not in the set"))?);
+        places.push(place.with_context(|| {
+            let place = if set.is_compact() { "this packing" } else { "the set" };
+            format!("tile {tile} is not in {place}")
+        })?);
     }
     let found = tiles.iter().zip(&places);
     if args.json {

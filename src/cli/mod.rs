@@ -13,8 +13,10 @@
 //!
 //! Options, JSON fields and exit codes are a contract: other programs rely on them.
 
+pub mod anneal;
 pub mod args;
 pub mod beam;
+pub mod choose;
 pub mod cluster;
 pub mod construct;
 pub mod count;
@@ -25,6 +27,7 @@ pub mod estimate;
 pub mod eta;
 pub mod exit;
 pub mod find;
+pub mod found;
 pub mod help;
 pub mod list;
 pub mod locate;

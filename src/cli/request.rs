@@ -15,6 +15,9 @@ pub struct Request {
     pub pins: Option<String>,
     /// The automorphism as it was asked for, for the record.
     pub automorphism: Option<String>,
+    /// Why the program chose to search, if it was its choice.
+    #[serde(default)]
+    pub why: Option<String>,
 }
 
 impl Request {

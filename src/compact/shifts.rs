@@ -15,31 +15,34 @@
 //! Source: this project.
 
 use super::groups::{self, Permutation};
-use crate::torus::Shape;
+use super::{is_compact, reflected};
 use rand::SeedableRng;
 use rand_pcg::Pcg64;
 
+/// Whether the rows of a torus can be such sequences.
+pub fn suits(colors: usize, columns: usize, rows: usize) -> bool {
+    // Not single rows: a column of a Latin square has every color, so some row keeps one.
+    let size = columns / colors;
+    columns.is_multiple_of(colors)
+        && size > 1
+        && colors.is_multiple_of(size)
+        && rows == 2 * colors * (colors / size)
+}
+
 /// The colors of the lattice points, row by row from the north, or `None` when this does not
 /// work for the shape.
-pub fn corner(colors: usize, shape: Shape, seed: u64) -> Option<Vec<u8>> {
-    let (w, h) = (shape.width(), shape.height());
+pub fn corner(colors: usize, columns: usize, rows: usize, seed: u64) -> Option<Vec<u8>> {
     let mut rng = Pcg64::seed_from_u64(seed);
     // The near-square shape may work in one orientation only.
-    for (columns, rows) in [(w, h), (h, w)] {
-        // Not single rows: a column of a Latin square has every color, so some row keeps one.
-        let size = columns / colors;
-        let suits = columns.is_multiple_of(colors)
-            && size > 1
-            && colors.is_multiple_of(size)
-            && rows == 2 * colors * (colors / size);
-        if !suits {
+    for (w, h) in [(columns, rows), (rows, columns)] {
+        if !suits(colors, w, h) {
             continue;
         }
         for divide in [groups::cyclic, groups::random] {
-            let Some(groups) = divide(colors, size, &mut rng) else { continue };
+            let Some(groups) = divide(colors, w / colors, &mut rng) else { continue };
             let cells = shifted_rows(colors, &groups);
-            let cells = if (columns, rows) == (w, h) { cells } else { reflected(&cells, w, h) };
-            if is_compact(colors, shape, &cells) {
+            let cells = if w == columns { cells } else { reflected(&cells, columns, rows) };
+            if is_compact(colors, columns, &cells) {
                 return Some(cells);
             }
         }
@@ -78,28 +81,4 @@ fn shifted_rows(colors: usize, groups: &[Vec<Permutation>]) -> Vec<u8> {
     }
     rows.reverse();
     rows.concat()
-}
-
-/// The reflection through the SW-NE diagonal, `w` columns and `h` rows afterwards.
-fn reflected(cells: &[u8], w: usize, h: usize) -> Vec<u8> {
-    (0..w * h).map(|i| cells[(w - 1 - i % w) * h + (h - 1 - i / w)]).collect()
-}
-
-/// Whether every (NW, SW, SE) occurs twice, with different NE.
-fn is_compact(colors: usize, shape: Shape, cells: &[u8]) -> bool {
-    let (w, h) = (shape.width(), shape.height());
-    let at = |row: usize, column: usize| usize::from(cells[row % h * w + column % w]);
-    let mut first = vec![None; colors.pow(3)];
-    let mut both = 0;
-    for (row, column) in (0..h).flat_map(|row| (0..w).map(move |column| (row, column))) {
-        let (nw, ne) = (at(row, column), at(row, column + 1));
-        let (sw, se) = (at(row + 1, column), at(row + 1, column + 1));
-        match &mut first[(nw * colors + sw) * colors + se] {
-            none @ None => *none = Some(ne),
-            Some(other) if *other == ne => return false,
-            Some(_) => both += 1,
-        }
-    }
-    // As many cells as places: when nothing came three times, all came twice.
-    both == colors.pow(3)
 }

@@ -5,6 +5,8 @@
 //! | dominoes, any set | ring | the least ring; Hierholzer's algorithm |
 //! | Wang, complete | `CV^2 x CH^2` | product of two rings |
 //! | corner, complete | `C^2 x C^2`; others that [`Plan::search`] takes apart | [`super::corner`] |
+//! | corner, compact | near-square for 2 to 32 colors; others, see [`compact::covers`] | [`compact`] |
+//! | Wang, compact | all | [`compact::wang`] |
 //!
 //! What is not covered is refused with a reason: that no packing exists, or that no construction
 //! is known, which says nothing about packings. Nothing here is verified: see [`crate::verify`].
@@ -12,6 +14,7 @@
 use super::corner::{CornerTorus, Plan};
 use super::wang_product::WangProduct;
 use super::{Digraph, Ring, Seed};
+use crate::compact;
 use crate::tiles::{Kind, Members, TileId, TileSet, notation};
 use crate::torus::{Lattice, Packing, Shape};
 
@@ -30,6 +33,8 @@ enum How {
     Ring(Ring),
     Wang(WangProduct),
     Corner(CornerTorus),
+    /// All labels.
+    Held(Vec<u8>),
 }
 
 /// Why there is no construction.
@@ -54,6 +59,9 @@ pub fn names() -> &'static [(&'static str, &'static str)] {
         ("raised and rotated triangular numbers", "all corner tiles, C x C^3 and C^3 x C, C odd"),
         ("product", "all corner tiles, from tori over coprime numbers of colors"),
         ("extension", "all corner tiles, from a torus over fewer colors"),
+        ("shifted rows", "compact corner sets, a side C m with m a divisor of C"),
+        ("copies", "compact corner sets, from a torus over fewer colors"),
+        ("pairs put down and swapped", "compact Wang sets, any shape"),
     ]
 }
 
@@ -67,6 +75,7 @@ pub fn construct(
     shape: Shape,
     seed: Option<u64>,
 ) -> Result<Constructed, NotConstructed> {
+    let number = seed.unwrap_or(0);
     let mut seed = seed.map(Seed::new);
     let unknown = || {
         let members = notation::write_members(set.members());
@@ -105,6 +114,10 @@ pub fn construct(
             let torus = plan.build(seed.as_mut());
             let name = torus.name();
             (How::Corner(torus), name, "Hurlbert, Mitchell, Paterson 1996; closed form: tilepack")
+        }
+        (Kind::Corner | Kind::Wang, Members::Compact) if fits => {
+            let found = compact::construct(set, shape, number).ok_or_else(unknown)?;
+            (How::Held(found.labels), found.name, "tilepack")
         }
         _ => return Err(unknown()),
     };
@@ -156,6 +169,10 @@ impl Constructed {
                 }
             }
             How::Corner(torus) => torus.row(row, labels),
+            How::Held(all) => {
+                let length = labels.len();
+                labels.copy_from_slice(&all[row * length..(row + 1) * length]);
+            }
         }
     }
 
@@ -234,11 +251,23 @@ impl Constructed {
         }
     }
 
-    /// Row and column of a tile; `None` if it is not in the set.
+    /// Row and column of a tile, looked up row by row.
+    fn look_for(&self, tile: TileId) -> Option<(usize, usize)> {
+        let mut row = 0;
+        let searched = self.try_for_each_row(|_, tiles| {
+            let column = tiles.iter().position(|&other| other == tile);
+            row += 1;
+            column.map_or(Ok(()), |column| Err((row - 1, column)))
+        });
+        searched.err()
+    }
+
+    /// Row and column of a tile; `None` if it does not occur in the packing.
     pub fn locate(&self, tile: TileId) -> Option<(usize, usize)> {
         // A packing of a complete set has as many cells as there are numbers.
         let known = match self.set.members() {
             Members::Complete => tile.index() < self.shape.cells(),
+            Members::Compact => tile.0 < self.set.kind().tiles(self.set.colors()) as u32,
             _ => self.set.allows(tile),
         };
         if !known {
@@ -253,6 +282,7 @@ impl Constructed {
             How::Wang(product) => Some(product.find(a, b, c, d)),
             // NE, SE, SW, NW.
             How::Corner(torus) => Some(torus.find([[d, a], [c, b]])),
+            How::Held(_) => self.look_for(tile),
         }
     }
 }

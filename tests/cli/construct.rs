@@ -36,17 +36,33 @@ fn json_fields() {
     let object = run("find --kind corner --colors 3 --method construct --json").exits(0).json();
     let mut wanted = names(&object);
     wanted.retain(|name| !["construction", "source", "seed"].contains(name));
-    let found = run("find --kind corner --colors 3 --json").exits(0).json();
+    let found = run("find --kind corner --colors 3 --method search --json").exits(0).json();
     assert_eq!(wanted, names(&found));
     assert_eq!((&object["result"], &object["method"]), (&"found".into(), &"construct".into()));
     assert_eq!(object["construction"], "rotated rings");
 }
 
-/// More than 100 tiles: constructed, unless an option asks for a search.
+/// Constructed where a construction is known, unless an option asks for a search; else annealed
+/// or by beam search where those are quick; else searched. It says which, and why.
 #[test]
-fn auto_constructs_large_sets() {
+fn auto_takes_the_quickest_way() {
+    let known = "a construction is known";
+    for (problem, method, why) in [
+        ("--kind corner --colors 3", "construct", known),
+        ("--kind corner --colors 3 --set compact --size 27x2", "construct", known),
+        ("--kind corner --colors 12 --set compact", "construct", known),
+        ("--kind wang --colors 5 --set compact", "construct", known),
+        ("--kind corner --colors 5 --set compact --size 50x5", "anneal", "anneal in seconds"),
+        ("--kind corner --colors 3 --set pruned:0-1 --size 31x1", "argument", "does not match itself"),
+        ("--kind domino --colors 3 --cover --size 10x1", "search", "--cover is for a search"),
+        ("--kind corner --colors 3 --order row", "search", "--order is for a search"),
+    ] {
+        let object = run(&format!("find {problem} --json --quiet")).json();
+        assert_eq!(object["method"], method, "{problem}");
+        assert!(object["why"].as_str().unwrap().contains(why), "{problem}: {object:?}");
+    }
     for (problem, constructed) in [
-        ("--kind corner --colors 3", false),
+        ("--kind corner --colors 3", true),
         ("--kind corner --colors 4", true),
         ("--kind corner --colors 4 --method search --node-limit 9", false),
         ("--kind corner --colors 4 --order row --node-limit 9", false),
@@ -96,7 +112,7 @@ fn nothing_is_known() {
         let locate = run(&format!("locate {problem} 0")).exits(1);
         assert_eq!(locate.stdout, none.stdout);
     }
-    run("find --kind corner --colors 3 --set compact --method construct").exits(1);
+    run("find --kind corner --colors 3 --set pruned:0-1 --size 31x1 --method construct").exits(1);
 }
 
 #[test]

@@ -6,7 +6,9 @@ use crate::{Place, run};
 fn the_same_question_gives_the_same_bytes() {
     let place = Place::new();
     for threads in ["1", "3"] {
-        let args = format!("find --kind corner --colors 3 --threads {threads} -o {threads}.json");
+        let args = format!(
+            "find --kind corner --colors 3 --method search --threads {threads} -o {threads}.json"
+        );
         let found = place.run(&args).exits(0);
         assert_eq!(found.stdout, "");
         assert!(found.stderr.ends_with(&format!("; written to {threads}.json\n")), "{found:#?}");
@@ -20,7 +22,9 @@ fn nothing_else_is_left_in_the_directory() {
     place.run("find --kind corner --colors 2 -o a.json").exits(0);
     place.run("list --kind corner --colors 2 -o b.jsonl").exits(0);
     place.run("count --kind corner --colors 3 --node-limit 1000").exits(75);
-    place.run("find --kind corner --colors 3 --node-limit 1000 -o c.json").exits(75);
+    place
+        .run("find --kind corner --colors 3 --method search --node-limit 1000 -o c.json")
+        .exits(75);
     let mut names: Vec<_> = std::fs::read_dir(place.path(""))
         .unwrap()
         .map(|entry| entry.unwrap().file_name().into_string().unwrap())

@@ -4,7 +4,7 @@ use crate::{Place, names, run};
 
 #[test]
 fn a_grid_on_standard_output_and_nothing_else() {
-    let run = run("find --kind corner --colors 3").exits(0);
+    let run = run("find --kind corner --colors 3 --method search").exits(0);
     let mut lines = run.stdout.lines();
     let first = lines.next().unwrap();
     assert!(first.starts_with("# found by search (first in row order"), "{first}");
@@ -62,7 +62,7 @@ fn what_is_found_is_verified_and_drawn() {
 #[test]
 fn json_fields() {
     let place = Place::new();
-    let found = place.run("find --kind corner --colors 3 --json").exits(0);
+    let found = place.run("find --kind corner --colors 3 --method search --json").exits(0);
     let object = found.json();
     assert_eq!(
         names(&object),
@@ -81,6 +81,7 @@ fn json_fields() {
             "stopped_by",
             "tiles",
             "topology",
+            "why",
             "width"
         ]
     );
@@ -92,10 +93,22 @@ fn json_fields() {
     // The object is a solution file, too.
     place.feed("verify -", &found.stdout).exits(0);
 
-    let filed = place.run("find --kind corner --colors 3 --json -o p.json").exits(0).json();
+    let filed =
+        place.run("find --kind corner --colors 3 --method search --json -o p.json").exits(0).json();
     assert_eq!(
         names(&filed),
-        ["file", "height", "method", "nodes", "reason", "result", "seconds", "stopped_by", "width"]
+        [
+            "file",
+            "height",
+            "method",
+            "nodes",
+            "reason",
+            "result",
+            "seconds",
+            "stopped_by",
+            "why",
+            "width"
+        ]
     );
     let solution: serde_json::Value = serde_json::from_str(&place.read("p.json")).unwrap();
     assert_eq!(solution["tiles"], object["tiles"]);
@@ -106,8 +119,8 @@ fn json_fields() {
 #[test]
 fn the_same_packing_whatever_the_number_of_threads() {
     for problem in [
-        "find --kind corner --colors 3",
-        "find --kind wang --colors 2,3",
+        "find --kind corner --colors 3 --method search",
+        "find --kind wang --colors 2,3 --method search",
         "find --kind corner --colors 4 --automorphism 4,0:1,2,3,0 --values random --seed 5",
     ] {
         let one = run(&format!("{problem} --threads 1")).exits(0).stdout;

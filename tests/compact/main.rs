@@ -9,11 +9,6 @@ use tilepack::tiles::{Colors, Kind, Members, TileSet};
 use tilepack::torus::{Lattice, Shape};
 use tilepack::verify;
 
-/// Colors whose near-square shape has no side `C m` with `m` a divisor of `C`, and the shape
-/// nearest to a square that has.
-const OTHER_SHAPES: [(u64, &str); 5] =
-    [(12, "72x48"), (20, "160x100"), (22, "242x88"), (26, "338x104"), (30, "300x180")];
-
 fn set(kind: Kind, colors: Colors) -> TileSet {
     TileSet::new(kind, colors, Members::Compact).unwrap()
 }
@@ -42,20 +37,13 @@ fn assert_valid(set: &TileSet, shape: Shape, labels: &[u8]) {
 
 #[test]
 fn corner_sets_near_a_square() {
-    for colors in 4..=32 {
+    for colors in 2..=32 {
         let set = corner(colors);
-        let near = Shape::near_square(set.size()).unwrap();
-        let other = OTHER_SHAPES.iter().find(|(of, _)| *of == colors);
-        let shape = match other {
-            Some((_, size)) => {
-                assert_eq!(compact::construct(&set, near, 0), None, "{colors} colors");
-                size.parse().unwrap()
-            }
-            None => near,
-        };
+        let shape = Shape::near_square(set.size()).unwrap();
         for seed in 0..3 {
             let labels = compact::construct(&set, shape, seed)
-                .unwrap_or_else(|| panic!("{colors} colors, {shape}, seed {seed}"));
+                .unwrap_or_else(|| panic!("{colors} colors, {shape}, seed {seed}"))
+                .labels;
             assert_compact_corner(colors as usize, shape, &labels);
             assert_valid(&set, shape, &labels);
         }
@@ -64,22 +52,46 @@ fn corner_sets_near_a_square() {
 
 #[test]
 fn corner_sets_in_every_shape_that_is_covered() {
-    for colors in 4..=12 {
+    for colors in 2..=12 {
         let set = corner(colors);
         let shapes = compact::shapes(colors as usize);
         assert!(shapes.is_sorted_by_key(|shape| std::cmp::Reverse(shape.width())));
         for shape in shapes {
             assert_eq!(shape.cells() as u64, set.size());
-            let labels = compact::construct(&set, shape, 5).unwrap_or_else(|| panic!("{shape}"));
-            assert_compact_corner(colors as usize, shape, &labels);
+            let found = compact::construct(&set, shape, 5).unwrap_or_else(|| panic!("{shape}"));
+            assert_compact_corner(colors as usize, shape, &found.labels);
+            let turned = Shape::new(shape.height() as u64, shape.width() as u64).unwrap();
+            assert!(compact::construct(&set, turned, 5).is_some(), "{turned}");
         }
     }
+}
+
+/// Copies of every known torus of few colors, on top of each other and side by side, for factors
+/// without and with common divisors; also copies of copies.
+#[test]
+fn copies_of_a_packing() {
+    for (fewer, base) in [(2, "4x4"), (3, "9x6"), (3, "2x27"), (4, "64x2"), (3, "18x3")] {
+        let base: Shape = base.parse().unwrap();
+        let cells = compact::construct(&corner(fewer), base, 1).unwrap().labels;
+        for k in 2..=6 {
+            let (colors, copies) = (fewer as usize * k, k.pow(3));
+            let labels = compact::copies::stacked(&cells, base.width(), fewer as usize, k);
+            let shape = Shape::new(base.width() as u64, (base.height() * copies) as u64).unwrap();
+            assert_compact_corner(colors, shape, &labels);
+        }
+    }
+    let labels = compact::construct(&corner(16), "64x128".parse().unwrap(), 0).unwrap().labels;
+    assert_compact_corner(16, "64x128".parse().unwrap(), &labels);
+    let cells =
+        compact::copies::stacked(&[0, 0, 0, 1, 0, 0, 1, 0, 1, 0, 1, 1, 0, 1, 1, 1], 4, 2, 2);
+    let labels = compact::copies::stacked(&cells, 4, 4, 4);
+    assert_compact_corner(16, Shape::new(4, 2048).unwrap(), &labels);
 }
 
 #[test]
 fn what_has_no_construction() {
     let shape = |size: &str| size.parse::<Shape>().unwrap();
-    for (colors, size) in [(2, "4x4"), (3, "9x6"), (3, "6x9"), (3, "18x3"), (4, "128x1")] {
+    for (colors, size) in [(2, "8x2"), (3, "54x1"), (4, "128x1"), (7, "343x2")] {
         assert_eq!(compact::construct(&corner(colors), shape(size), 0), None, "{colors} {size}");
     }
     // Not as many cells as tiles.
@@ -125,7 +137,7 @@ fn wang_sets_in_every_shape() {
         for width in (1..=cells).filter(|&width| cells.is_multiple_of(width)) {
             let shape = Shape::new(width, cells / width).unwrap();
             for seed in 0..2 {
-                let labels = compact::construct(&set, shape, seed).unwrap();
+                let labels = compact::construct(&set, shape, seed).unwrap().labels;
                 assert_valid(&set, shape, &labels);
                 let labels = wang::weak(colors, shape, seed).unwrap();
                 let tiles = south_and_east(colors, shape, &labels);
@@ -149,16 +161,17 @@ fn annealing_where_nothing_is_constructed() {
     for (colors, size) in [(3, "9x6"), (3, "6x9"), (3, "3x18"), (4, "16x8"), (5, "10x25")] {
         let (set, shape) = (corner(colors), shape(size));
         let count = colors as usize;
-        let labels = anneal::compact_corner(count, shape, 0, &Limits::NONE).unwrap();
+        let labels = anneal::compact_corner(count, shape, 0, &Limits::NONE).labels.unwrap();
         assert_compact_corner(count, shape, &labels);
         assert_valid(&set, shape, &labels);
-        assert_eq!(anneal::compact_corner(count, shape, 0, &Limits::NONE), Some(labels.clone()));
-        assert_ne!(anneal::compact_corner(count, shape, 1, &Limits::NONE), Some(labels));
+        let again = |seed| anneal::compact_corner(count, shape, seed, &Limits::NONE).labels;
+        assert_eq!(again(0), Some(labels.clone()));
+        assert_ne!(again(1), Some(labels));
     }
     let few = Limits { stop: &(), nodes: 10 };
-    assert_eq!(anneal::compact_corner(5, shape("25x10"), 0, &few), None);
+    assert_eq!(anneal::compact_corner(5, shape("25x10"), 0, &few).labels, None);
     for (colors, size) in [(3, "27x2"), (3, "9x9"), (4, "128x1"), (1, "2x1"), (3, "54x1")] {
         let most = Limits { stop: &(), nodes: 1000 };
-        assert_eq!(anneal::compact_corner(colors, shape(size), 0, &most), None, "{size}");
+        assert_eq!(anneal::compact_corner(colors, shape(size), 0, &most).labels, None, "{size}");
     }
 }
