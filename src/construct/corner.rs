@@ -91,7 +91,7 @@ impl Plan {
         match self {
             &Plan::Odd(colors) => CornerTorus::Odd { colors, torus: OddTorus::new(colors, seed) },
             &Plan::Even(colors) => {
-                CornerTorus::Even { colors, torus: EvenTorus::new(colors, seed) }
+                CornerTorus::Even { colors, torus: Box::new(EvenTorus::new(colors, seed)) }
             }
             &Plan::Tall { colors, wide } => {
                 CornerTorus::Tall { colors, torus: TallTorus::new(colors, wide, seed) }
@@ -126,7 +126,7 @@ pub enum CornerTorus {
         /// The number of colors.
         colors: usize,
         /// The torus.
-        torus: EvenTorus,
+        torus: Box<EvenTorus>,
     },
     /// See [`super::corner_tall`].
     Tall {

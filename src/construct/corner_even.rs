@@ -35,12 +35,27 @@ pub struct EvenTorus {
     k: usize,
     /// For each of the 16 cells of a block, the color for each digit.
     colors: Vec<[u8; 128]>,
-    /// For each cell of a block and each color the digit.
-    digits: Vec<[u8; 256]>,
     /// The low bit of every color.
-    bits: Vec<u8>,
-    /// For the low bits `NW NE SW SE` of a window, the cell of a block where they begin.
-    begins: [u8; 16],
+    bits: Box<[u8; 256]>,
+    /// For the low bits `NW NE SW SE` of a window, what the rest of them says.
+    places: [Place; 16],
+}
+
+/// What the colors of the windows with given low bits say: row and column are the sums of four
+/// digits times their weights. A sum of both at once has the row in its upper half.
+#[derive(Debug, Clone)]
+struct Place {
+    /// Where in a block the window begins.
+    begin: u64,
+    /// The weights of the digits at NW, NE, SW, SE.
+    weights: [u64; 4],
+    /// The digits by color, there.
+    digits: Box<[[u8; 256]; 4]>,
+}
+
+/// A row and a column as one number.
+const fn both(row: usize, column: usize) -> u64 {
+    (row as u64) << 32 | column as u64
 }
 
 impl EvenTorus {
@@ -62,9 +77,12 @@ impl EvenTorus {
         let mut torus = Self {
             k,
             colors: vec![[0; 128]; 16],
-            digits: vec![[0; 256]; 16],
-            bits: vec![0; 256],
-            begins: [0; 16],
+            bits: Box::new([0; 256]),
+            places: std::array::from_fn(|_| Place {
+                begin: 0,
+                weights: [0; 4],
+                digits: Box::new([[0; 256]; 4]),
+            }),
         };
         for (color, &name) in names.iter().enumerate() {
             torus.bits[usize::from(name)] = color as u8 % 2;
@@ -78,12 +96,37 @@ impl EvenTorus {
             for (digit, &shown) in order.iter().enumerate() {
                 let color = names[usize::from(2 * shown + base[row][column])];
                 torus.colors[cell][digit] = color;
-                torus.digits[cell][usize::from(color)] = digit as u8;
             }
+        }
+        for cell in 0..16 {
+            let (row, column) = (cell / 4, cell % 4);
             let at = |r: usize, c: usize| base[(row + r) % 4][(column + c) % 4];
-            torus.begins[bits([[at(0, 0), at(0, 1)], [at(1, 0), at(1, 1)]])] = cell as u8;
+            let low = bits([[at(0, 0), at(0, 1)], [at(1, 0), at(1, 1)]]);
+            torus.places[low] = torus.place(row, column);
         }
         torus
+    }
+
+    /// What a window says that begins at this row and column of a block.
+    fn place(&self, row: usize, column: usize) -> Place {
+        let k = self.k;
+        let mut place =
+            Place { begin: both(row, column), weights: [0; 4], digits: Box::new([[0; 256]; 4]) };
+        for corner in 0..4 {
+            let (r, c) = (row + corner / 2, column + corner % 2);
+            place.weights[corner] = match (r % 2, c % 2) {
+                (0, 0) => both(4, 0),
+                (1, 0) => both(4 * k, 0),
+                (0, _) => both(0, 4),
+                (_, _) => both(0, 4 * k),
+            };
+            // Below the last row of a block the low digit is that of the next block.
+            let ahead = if r == 4 && c % 2 == 0 { k - 1 } else { 0 };
+            for (digit, &color) in self.colors[r % 4 * 4 + c % 4][..k].iter().enumerate() {
+                place.digits[corner][usize::from(color)] = ((digit + ahead) % k) as u8;
+            }
+        }
+        place
     }
 
     /// Columns, and rows.
@@ -118,23 +161,12 @@ impl EvenTorus {
     /// The row and column of a window.
     pub fn find(&self, window: Window) -> (usize, usize) {
         let low = window.map(|pair| pair.map(|color| self.bits[usize::from(color)]));
-        let begin = usize::from(self.begins[bits(low)]);
-        let (row, column) = (begin / 4, begin % 4);
-        let digit = |r: usize, c: usize| {
-            let cell = (row + r) % 4 * 4 + (column + c) % 4;
-            usize::from(self.digits[cell][usize::from(window[r][c])])
-        };
-        // Where in the window the even row and the even column are.
-        let (r, c) = (row % 2, column % 2);
-        let low = digit(r, c);
-        let low = match (row == 3, low) {
-            (true, 0) => self.k - 1,
-            (true, low) => low - 1,
-            (false, low) => low,
-        };
-        let u = digit(1 - r, c) * self.k + low;
-        let v = digit(1 - r, 1 - c) * self.k + digit(r, 1 - c);
-        (4 * u + row, 4 * v + column)
+        let place = &self.places[bits(low) & 15];
+        let sum = (0..4).fold(place.begin, |sum, corner| {
+            let color = window[corner / 2][corner % 2];
+            sum + u64::from(place.digits[corner][usize::from(color)]) * place.weights[corner]
+        });
+        ((sum >> 32) as usize, sum as u32 as usize)
     }
 }
 

@@ -38,9 +38,9 @@ fn triangle(row: usize) -> usize {
 #[derive(Debug, Clone)]
 pub struct OddTorus {
     ring: Ring,
-    rotations: Vec<u32>,
+    rotations: Vec<u16>,
     /// For every difference the row that has it to the next.
-    row_of: Vec<u32>,
+    row_of: Vec<u16>,
 }
 
 impl OddTorus {
@@ -56,8 +56,8 @@ impl OddTorus {
         let mut row_of = vec![0; side];
         let mut rotation = 0;
         for (row, &difference) in differences.iter().enumerate() {
-            rotations.push(rotation as u32);
-            row_of[difference] = row as u32;
+            rotations.push(rotation as u16);
+            row_of[difference] = row as u16;
             rotation = (rotation + difference) % side;
         }
         Self { ring, rotations, row_of }

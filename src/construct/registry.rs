@@ -15,7 +15,7 @@ use super::corner::{CornerTorus, Plan};
 use super::wang_product::WangProduct;
 use super::{Digraph, Ring, Seed};
 use crate::compact;
-use crate::tiles::{Kind, Members, TileId, TileSet, notation};
+use crate::tiles::{Kind, Members, TileId, TileSet, Unpacker, notation};
 use crate::torus::{Lattice, Packing, Shape};
 
 /// A packing known by construction, not yet written out.
@@ -25,6 +25,7 @@ pub struct Constructed {
     shape: Shape,
     name: String,
     source: &'static str,
+    unpacker: Unpacker,
     how: How,
 }
 
@@ -121,7 +122,8 @@ pub fn construct(
         }
         _ => return Err(unknown()),
     };
-    Ok(Constructed { set: set.clone(), shape, name, source, how })
+    let unpacker = Unpacker::new(set.kind(), set.colors());
+    Ok(Constructed { set: set.clone(), shape, name, source, unpacker, how })
 }
 
 /// A ring of the dominoes of a set, by Hierholzer's algorithm.
@@ -263,6 +265,7 @@ impl Constructed {
     }
 
     /// Row and column of a tile; `None` if it does not occur in the packing.
+    #[inline]
     pub fn locate(&self, tile: TileId) -> Option<(usize, usize)> {
         // A packing of a complete set has as many cells as there are numbers.
         let known = match self.set.members() {
@@ -273,7 +276,7 @@ impl Constructed {
         if !known {
             return None;
         }
-        let [a, b, c, d] = self.set.kind().unpack(tile, self.set.colors());
+        let [a, b, c, d] = self.unpacker.sides(tile);
         match &self.how {
             How::Ring(ring) => {
                 let position = ring.position(a, b)?;

@@ -60,11 +60,11 @@ pub struct Ring {
     colors: Vec<u8>,
     palette: usize,
     /// For every domino its position; [`NOWHERE`] if it does not occur.
-    positions: Vec<u32>,
+    positions: Vec<u16>,
 }
 
 /// The position of a domino that is not part of a ring.
-const NOWHERE: u32 = u32::MAX;
+const NOWHERE: u16 = u16::MAX;
 
 impl Ring {
     /// The least ring over `colors` colors.
@@ -101,7 +101,7 @@ impl Ring {
         let mut positions = vec![NOWHERE; palette * palette];
         for (position, &first) in colors.iter().enumerate() {
             let second = colors[(position + 1) % colors.len()];
-            positions[usize::from(first) * palette + usize::from(second)] = position as u32;
+            positions[usize::from(first) * palette + usize::from(second)] = position as u16;
         }
         Self { colors, palette, positions }
     }

@@ -18,6 +18,7 @@ pub mod formula;
 pub mod kind;
 pub mod notation;
 pub mod set;
+pub mod unpack;
 pub mod wang;
 
 pub use color::{Color, Colors, MAX_COLORS};
@@ -26,4 +27,5 @@ pub use domino::Domino;
 pub use error::TileError;
 pub use kind::{Kind, TileId};
 pub use set::{Members, TileSet};
+pub use unpack::Unpacker;
 pub use wang::Wang;

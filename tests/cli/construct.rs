@@ -53,7 +53,11 @@ fn auto_takes_the_quickest_way() {
         ("--kind corner --colors 12 --set compact", "construct", known),
         ("--kind wang --colors 5 --set compact", "construct", known),
         ("--kind corner --colors 5 --set compact --size 50x5", "anneal", "anneal in seconds"),
-        ("--kind corner --colors 3 --set pruned:0-1 --size 31x1", "argument", "does not match itself"),
+        (
+            "--kind corner --colors 3 --set pruned:0-1 --size 31x1",
+            "argument",
+            "does not match itself",
+        ),
         ("--kind domino --colors 3 --cover --size 10x1", "search", "--cover is for a search"),
         ("--kind corner --colors 3 --order row", "search", "--order is for a search"),
     ] {

@@ -1,0 +1,106 @@
+//! Time of the constructions: cells a second row by row, tiles a second looked up, and compact
+//! sets constructed and annealed.
+
+#![allow(missing_docs, clippy::unwrap_used)]
+
+use criterion::{Criterion, Throughput, criterion_group, criterion_main};
+use std::hint::black_box;
+use tilepack::anneal::compact_corner;
+use tilepack::construct::{Constructed, construct};
+use tilepack::search::Limits;
+use tilepack::tiles::{Colors, Kind, Members, TileId, TileSet};
+use tilepack::torus::Shape;
+
+fn set(kind: Kind, colors: u64, members: Members) -> TileSet {
+    TileSet::new(kind, Colors::one(colors).unwrap(), members).unwrap()
+}
+
+fn constructed(kind: Kind, colors: u64) -> Constructed {
+    let set = set(kind, colors, Members::Complete);
+    construct(&set, Shape::default_for(&set).unwrap(), None).unwrap()
+}
+
+/// Every row of the lattice into one buffer; and the tiles between the rows.
+fn rows(c: &mut Criterion) {
+    let mut group = c.benchmark_group("rows");
+    group.sample_size(10);
+    for (name, kind, colors) in [
+        ("corner C=64", Kind::Corner, 64),
+        ("corner C=63", Kind::Corner, 63),
+        ("wang C=64", Kind::Wang, 64),
+    ] {
+        let packing = constructed(kind, colors);
+        let (width, height) = (packing.shape().width(), packing.shape().height());
+        let mut labels = vec![0; if kind == Kind::Wang { 2 * width } else { width }];
+        group.throughput(Throughput::Elements((width * height) as u64));
+        group.bench_function(format!("{name}, colors"), |b| {
+            b.iter(|| {
+                for row in 0..height {
+                    packing.row(row, &mut labels);
+                    black_box(&mut labels);
+                }
+            });
+        });
+        group.bench_function(format!("{name}, tiles"), |b| {
+            b.iter(|| {
+                packing.try_for_each_row(|_, tiles| {
+                    black_box(tiles);
+                    Ok::<_, ()>(())
+                })
+            });
+        });
+    }
+    group.finish();
+}
+
+/// Where tiles lie, in an order without pattern.
+fn locate(c: &mut Criterion) {
+    let mut group = c.benchmark_group("locate");
+    const LOOKED_UP: u64 = 1 << 16;
+    group.throughput(Throughput::Elements(LOOKED_UP));
+    for (name, kind, colors) in [
+        ("corner C=64", Kind::Corner, 64),
+        ("corner C=63", Kind::Corner, 63),
+        ("wang C=64", Kind::Wang, 64),
+    ] {
+        let packing = constructed(kind, colors);
+        let tiles: Vec<TileId> = (0..LOOKED_UP)
+            .map(|i| TileId((i * 0x9e37_79b9_7f4a_7c15 % packing.shape().cells() as u64) as u32))
+            .collect();
+        group.bench_function(name, |b| {
+            b.iter(|| {
+                let places = tiles.iter().map(|&tile| packing.locate(tile).unwrap());
+                places.fold(0, |sum, (row, column)| sum ^ row ^ column)
+            });
+        });
+    }
+    group.finish();
+}
+
+/// Whole compact sets.
+fn compact(c: &mut Criterion) {
+    let mut group = c.benchmark_group("compact");
+    group.sample_size(10);
+    for (kind, colors) in
+        [(Kind::Corner, 12), (Kind::Corner, 16), (Kind::Corner, 32), (Kind::Wang, 16)]
+    {
+        let set = set(kind, colors, Members::Compact);
+        let shape = Shape::default_for(&set).unwrap();
+        group.throughput(Throughput::Elements(set.size()));
+        group.bench_function(format!("{kind} C={colors}, {shape}, constructed"), |b| {
+            b.iter(|| construct(&set, shape, None).unwrap());
+        });
+    }
+    let shape = Shape::new(9, 6).unwrap();
+    let mut seed = 0;
+    group.bench_function("corner C=3, 9x6, annealed", |b| {
+        b.iter(|| {
+            seed += 1;
+            compact_corner(3, shape, seed, &Limits::NONE)
+        });
+    });
+    group.finish();
+}
+
+criterion_group!(benches, rows, locate, compact);
+criterion_main!(benches);
