@@ -159,16 +159,17 @@ fn is_compact(colors: usize, columns: usize, cells: &[u8]) -> bool {
     let rows = cells.len() / columns;
     let at =
         |row: usize, column: usize| usize::from(cells[row % rows * columns + column % columns]);
-    // Of each triple the NE met first, or that there were both.
-    let mut met = vec![(None, false); colors.pow(3)];
+    // Of each triple the NE met first, plus 1, or that there were both.
+    const BOTH: u16 = u16::MAX;
+    let mut met = vec![0u16; colors.pow(3)];
     for (row, column) in (0..rows).flat_map(|row| (0..columns).map(move |column| (row, column))) {
         let (nw, ne) = (at(row, column), at(row, column + 1));
         let (sw, se) = (at(row + 1, column), at(row + 1, column + 1));
         match &mut met[(nw * colors + sw) * colors + se] {
-            (none @ None, _) => *none = Some(ne),
-            (Some(first), both @ false) if *first != ne => *both = true,
+            none @ 0 => *none = ne as u16 + 1,
+            first if *first != BOTH && usize::from(*first) != ne + 1 => *first = BOTH,
             _ => return false,
         }
     }
-    met.iter().all(|&(_, both)| both)
+    met.iter().all(|&met| met == BOTH)
 }
