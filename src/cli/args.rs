@@ -7,6 +7,7 @@ mod parts;
 
 pub use parts::{ClusterCommand, JobArgs, MergeArgs, PartArgs, PlanArgs, SlurmArgs};
 
+use super::ring::RingOrder;
 use super::{duration, help};
 use crate::tiles::Kind;
 use crate::torus::Order;
@@ -196,6 +197,9 @@ pub struct FindArgs {
     /// Partial packings that beam search keeps at every cell [default: 3000]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=200_000))]
     pub beam_width: Option<u32>,
+    /// The rings that dominoes and Wang tiles are constructed from
+    #[arg(long, value_enum, default_value_t = RingOrder::Least)]
+    pub ring: RingOrder,
     /// The order in which colors or tiles are tried
     #[arg(long, value_enum, default_value_t = ValueOrder::Lexicographic)]
     pub values: ValueOrder,
@@ -243,6 +247,9 @@ pub struct LocateArgs {
     /// Which member of the family; 0 is the closed form itself
     #[arg(long, value_name = "N", default_value_t = 0, help_heading = "Problem")]
     pub seed: u64,
+    /// The rings that dominoes and Wang tiles are constructed from
+    #[arg(long, value_enum, default_value_t = RingOrder::Least, help_heading = "Problem")]
+    pub ring: RingOrder,
     /// Tile numbers, or colors: NE,SE,SW,NW of a corner tile, N,E,S,W of a Wang tile,
     /// first,second of a domino
     #[arg(required = true, value_name = "TILE")]
@@ -351,6 +358,10 @@ pub struct VerifyArgs {
     /// Threads [default: all cores]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024), help_heading = "Result")]
     pub threads: Option<u16>,
+    /// Ask for more than a packing: one that holds packings over fewer and fewer colors in its
+    /// south-west
+    #[arg(long, help_heading = "Result")]
+    pub recursive: bool,
     /// Nothing about valid files; only what is wrong, and the exit code
     #[arg(long, help_heading = "Result")]
     pub quiet: bool,

@@ -5,7 +5,8 @@
 
 use super::args::{FindArgs, Method, ValueOrder};
 use super::exit::Exit;
-use super::{describe, duration, output, problem};
+use super::ring::RingOrder;
+use super::{describe, duration, output, problem, ring};
 use crate::construct::{Constructed, NotConstructed, construct};
 use crate::packing::Task;
 use crate::packing::task::TaskError;
@@ -32,10 +33,12 @@ const MOST_TO_HOLD: usize = 1 << 20;
 /// # Errors
 /// Bad input, or a file that cannot be written.
 pub fn answer(args: &FindArgs) -> anyhow::Result<Option<Exit>> {
-    let asked = args.method == Method::Construct;
+    let by_ring = args.ring != RingOrder::Least;
+    let asked = args.method == Method::Construct || by_ring;
     if let Some(option) = asks_for_search(args) {
         if asked {
-            bail!("--method construct: {option} is for a search");
+            let what = if by_ring { "--ring wei" } else { "--method construct" };
+            bail!("{what}: {option} is for a search");
         }
         return Ok(None);
     }
@@ -44,7 +47,7 @@ pub fn answer(args: &FindArgs) -> anyhow::Result<Option<Exit>> {
         return Ok(None);
     }
     let begin = Instant::now();
-    match find(&set, shape, args.search.seed) {
+    match ring::find(&set, shape, args.search.seed, args.ring)? {
         Ok(constructed) => {
             if let Some(file) = &args.output {
                 check_writable(file)?;

@@ -5,7 +5,7 @@ use super::exit::Exit;
 use super::request::Request;
 use super::saving::Save;
 use super::session::{Done, Session};
-use super::{beam, construct, describe, output, problem};
+use super::{beam, construct, describe, output, problem, ring};
 use crate::packing::{Job, Question};
 use crate::search::Values;
 use crate::store::{Layout, check_writable, write_file, write_grid, write_solution};
@@ -21,6 +21,7 @@ use std::path::Path;
 /// Bad input, or a file that cannot be written.
 pub fn run(args: &FindArgs) -> anyhow::Result<Exit> {
     beam::refuse_width(args)?;
+    ring::refuse(args)?;
     if args.method == Method::Beam {
         return beam::run(args);
     }

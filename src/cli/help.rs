@@ -47,6 +47,7 @@ Examples:
   tilepack find --kind corner --colors 64 -o all.json      # 16777216 tiles, in closed form
   tilepack find --kind corner --colors 3 --method construct --size 27x3 --seed 5
   tilepack find --kind corner --colors 2 --pin begun.txt    # a grid with . for free cells
+  tilepack find --kind wang --colors 4 --ring wei -o recursive.json
   tilepack find --kind corner --colors 4 --method beam --seed 3
   tilepack find --kind corner --colors 6 --set pruned:0-1,2-3,4-5 --size 77x6 --method beam
 
@@ -70,6 +71,7 @@ Examples:
   tilepack locate --kind corner --colors 64 12345 16777215
   tilepack locate --kind corner --colors 3 0,1,2,0         # NE 0, SE 1, SW 2, NW 0
   tilepack locate --kind wang --colors 2,3 --json 7
+  tilepack locate --kind wang --colors 5 --ring wei 123
 
 JSON fields (--json): kind, colors, width, height, construction, source, seed, tiles, a list with \
 one object for each tile: tile, row, column; result unknown and reason if no construction is known.";
@@ -134,17 +136,23 @@ once. Of a compact set, exactly two tiles for each choice of the fixed colors.)
 A bare grid says neither its kind nor its colors: give --kind and --colors. Where a file and the \
 options both speak, they must agree. Rows and columns in messages count from 0.
 
-Exit code: 0 all valid, 1 some packing is not valid, 2 some file cannot be read or has a size \
-that does not match its set.
+With --recursive a packing must also be recursive (Lagae 2007, figure 5.11): its south-west block \
+of (C-1)^2 x (C-1)^2 tiles is a packing over the first C-1 colors that closes on its own, and is \
+recursive itself, down to two colors. The blocks are told.
+
+Exit code: 0 all valid, 1 some packing is not valid (not recursive), 2 some file cannot be read or \
+has a size that does not match its set.
 
 Examples:
   tilepack verify packing.json all.jsonl
   tilepack verify --kind corner --colors 4 grid.txt
+  tilepack verify --recursive packing.json
   tilepack find --kind wang --colors 3 | tilepack verify -
 
 JSON fields (--json): files, a list with one object for each file: file, valid, kind, colors, \
 width, height, set, topology (those of the first packing; null if there is none), packings (how \
-many were read), error (null if valid; else the first fault).";
+many were read), error (null if valid; else the first fault); with --recursive also recursive (the \
+number of blocks, each in the one before; of several packings the least).";
 
 /// Examples for `show`.
 pub const SHOW: &str = "\

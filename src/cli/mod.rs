@@ -4,7 +4,8 @@
 //!   turn it into what the library wants and refuse what makes no sense.
 //! * One file a command: [`find`] (by [`construct`] or [`beam`] where they suit), [`locate`],
 //!   [`count`], [`list`], [`estimate`], [`resume`], [`plan`], [`part`] (the command `run`),
-//!   [`merge`], [`cluster`] (job files), [`verify`], [`show`], [`sets`].
+//!   [`merge`], [`cluster`] (job files), [`verify`], [`show`], [`sets`]; [`ring`] is the option
+//!   `--ring` of two of them.
 //! * [`session`] runs a search with limits, [`signal`]s, [`progress`], [`eta`] (the time that is
 //!   left) and [`status`]; [`saving`] keeps it in a checkpoint, along with the [`request`] that
 //!   the answer is for.
@@ -36,6 +37,7 @@ pub mod problem;
 pub mod progress;
 pub mod request;
 pub mod resume;
+pub mod ring;
 pub mod saving;
 pub mod session;
 pub mod set;

@@ -7,9 +7,10 @@ use super::exit::Exit;
 use super::{describe, output, session, set, source};
 use crate::store::{Claim, Solution, StoreError, solutions};
 use crate::torus::Packing;
-use crate::verify::{self, Verdict};
+use crate::verify::{self, Block, NotRecursive, Recursion, Verdict};
 use rayon::prelude::*;
 use serde_json::{Value, json};
+use std::io::{self, Write};
 use std::path::Path;
 
 /// Packings that are read before they are checked together.
@@ -27,7 +28,7 @@ pub fn run(args: &VerifyArgs) -> anyhow::Result<Exit> {
     let mut exit = Exit::Yes;
     let mut objects = Vec::new();
     for file in &args.files {
-        let report = check(file, &claim);
+        let report = check(file, &claim, args.recursive);
         exit = worse(exit, report.exit());
         if args.json {
             objects.push(report.object());
@@ -58,12 +59,28 @@ struct Report {
     /// The first of those: its number in the file, its line, what is wrong with it.
     bad: Vec<(u64, usize, Verdict)>,
     wrong_size: bool,
+    /// What was asked for besides.
+    recursive: Option<Recursive>,
     /// Why the file could not be read to its end.
     error: Option<StoreError>,
 }
 
-fn check(file: &Path, claim: &Claim) -> Report {
+/// How recursive the packings of a file are.
+#[derive(Default)]
+struct Recursive {
+    /// The blocks of the first packing.
+    blocks: Vec<Block>,
+    /// The least number of blocks.
+    least: Option<usize>,
+    /// Packings that are not recursive.
+    failed: u64,
+    /// The first of those: number, line, why.
+    bad: Vec<(u64, usize, NotRecursive)>,
+}
+
+fn check(file: &Path, claim: &Claim, recursive: bool) -> Report {
     let mut report = Report { name: file.display().to_string(), ..Report::default() };
+    report.recursive = recursive.then(Recursive::default);
     let input = match source::open(file) {
         Ok(input) => input,
         Err(error) => return Report { error: Some(error), ..report },
@@ -86,11 +103,15 @@ fn check(file: &Path, claim: &Claim) -> Report {
                 None => break,
             }
         }
-        let verdicts: Vec<Verdict> =
-            chunk.par_iter().map(|solution| verify::check(&solution.packing)).collect();
+        let judge = |solution: &Solution| {
+            let verdict = verify::check(&solution.packing);
+            let asked = recursive && verdict.is_valid();
+            (verdict, asked.then(|| verify::check_recursion(&solution.packing)))
+        };
+        let verdicts: Vec<(Verdict, Option<Recursion>)> = chunk.par_iter().map(judge).collect();
         let last = report.error.is_some() || chunk.is_empty();
-        for (solution, verdict) in chunk.into_iter().zip(verdicts) {
-            report.add(solution, verdict);
+        for (solution, (verdict, recursion)) in chunk.into_iter().zip(verdicts) {
+            report.add(solution, verdict, recursion);
         }
         if last {
             return report;
@@ -99,7 +120,7 @@ fn check(file: &Path, claim: &Claim) -> Report {
 }
 
 impl Report {
-    fn add(&mut self, solution: Solution, verdict: Verdict) {
+    fn add(&mut self, solution: Solution, verdict: Verdict, recursion: Option<Recursion>) {
         self.packings += 1;
         if !verdict.is_valid() {
             self.invalid += 1;
@@ -108,11 +129,19 @@ impl Report {
                 self.bad.push((self.packings, solution.line, verdict));
             }
         }
+        if let (Some(all), Some(recursion)) = (&mut self.recursive, recursion) {
+            all.add(self.packings, solution.line, recursion);
+        }
         self.first.get_or_insert(solution.packing);
     }
 
+    /// Packings that are not recursive, though they should be.
+    fn shallow(&self) -> u64 {
+        self.recursive.as_ref().map_or(0, |all| all.failed)
+    }
+
     fn exit(&self) -> Exit {
-        match (self.error.is_some() || self.wrong_size, self.invalid) {
+        match (self.error.is_some() || self.wrong_size, self.invalid + self.shallow()) {
             (true, _) => Exit::Bad,
             (false, 0) => Exit::Yes,
             (false, _) => Exit::No,
@@ -142,14 +171,18 @@ impl Report {
                     writeln!(out, "  and {more} more")?;
                 }
             }
-            let valid = self.packings - self.invalid;
+            let valid = self.packings - self.invalid - self.shallow();
             let untold = self.invalid - self.bad.len() as u64;
             if untold > 0 {
                 writeln!(out, "{name}: {untold} more that are not packings")?;
             }
+            if let Some(all) = &self.recursive {
+                all.print(out, name, self.packings)?;
+            }
             let Some(first) = &self.first else { return Ok(()) };
-            match (self.packings, self.invalid) {
-                (1, 0) if !quiet => writeln!(out, "{name}: valid: {}", words(first)),
+            let blocks = self.recursive.as_ref().map_or(String::new(), Recursive::words);
+            match (self.packings, self.invalid + self.shallow()) {
+                (1, 0) if !quiet => writeln!(out, "{name}: valid: {}{blocks}", words(first)),
                 (packings, 0) if packings > 1 && self.error.is_none() && !quiet => {
                     let each = words(first);
                     writeln!(out, "{name}: valid: {packings} packings, the first: {each}")
@@ -177,9 +210,9 @@ impl Report {
             (None, Some((number, line, verdict))) => {
                 Some(format!("packing {number}, line {line}: {verdict}"))
             }
-            (None, None) => None,
+            (None, None) => self.recursive.as_ref().and_then(|all| all.error(self.packings)),
         };
-        output::object_text(&[
+        let mut fields = vec![
             ("file", json!(self.name)),
             ("valid", json!(self.exit() == Exit::Yes)),
             ("kind", field("kind")),
@@ -190,7 +223,57 @@ impl Report {
             ("topology", field("topology")),
             ("packings", json!(self.packings)),
             ("error", json!(error)),
-        ])
+        ];
+        if let Some(all) = &self.recursive {
+            fields.push(("recursive", json!(all.least)));
+        }
+        output::object_text(&fields)
+    }
+}
+
+impl Recursive {
+    fn add(&mut self, number: u64, line: usize, recursion: Recursion) {
+        let depth = recursion.blocks.len();
+        self.least = Some(self.least.map_or(depth, |least| least.min(depth)));
+        if number == 1 {
+            self.blocks = recursion.blocks;
+        }
+        if let Some(fault) = recursion.fault {
+            self.failed += 1;
+            if self.bad.len() < TOLD {
+                self.bad.push((number, line, fault));
+            }
+        }
+    }
+
+    fn print(&self, out: &mut dyn Write, name: &str, packings: u64) -> io::Result<()> {
+        for (number, line, fault) in &self.bad {
+            match packings {
+                1 => writeln!(out, "{name}: a packing, but not recursive: {fault}")?,
+                _ => writeln!(out, "{name}: packing {number}, line {line}: not recursive: {fault}")?,
+            }
+        }
+        match self.failed - self.bad.len() as u64 {
+            0 => Ok(()),
+            untold => writeln!(out, "{name}: {untold} more that are not recursive"),
+        }
+    }
+
+    /// What is added to the words about a valid packing.
+    fn words(&self) -> String {
+        let blocks: Vec<String> = self.blocks.iter().map(Block::to_string).collect();
+        match blocks.is_empty() {
+            true => "; recursive, without blocks".to_owned(),
+            false => format!("; recursive: {}", blocks.join("; ")),
+        }
+    }
+
+    fn error(&self, packings: u64) -> Option<String> {
+        let (number, line, fault) = self.bad.first()?;
+        Some(match packings {
+            1 => format!("not recursive: {fault}"),
+            _ => format!("packing {number}, line {line}: not recursive: {fault}"),
+        })
     }
 }
 

@@ -27,6 +27,6 @@ pub mod wang_product;
 pub use corner::{CornerTorus, Window};
 pub use cube_stack::CubeStack;
 pub use euler::{Digraph, NoCircuit};
-pub use registry::{Constructed, NotConstructed, construct};
+pub use registry::{Constructed, NotConstructed, construct, construct_wei};
 pub use ring::Ring;
 pub use seed::Seed;

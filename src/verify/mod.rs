@@ -17,10 +17,12 @@ mod fault;
 mod members;
 mod neighbors;
 mod occurrences;
+mod recursion;
 mod rows;
 
 pub use cube::{CubeFault, check_cubes};
 pub use fault::{Fault, Place, Tile, Touch};
+pub use recursion::{Block, NotRecursive, Recursion, check_recursion};
 pub use rows::{RowCheck, RowFault};
 
 use crate::tiles::Kind;
