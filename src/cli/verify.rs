@@ -3,11 +3,13 @@
 //! The packings of a list are checked in chunks on all threads; reports keep their order.
 
 use super::args::VerifyArgs;
+use super::cube::CubeReport;
 use super::exit::Exit;
 use super::{describe, output, session, set, source};
-use crate::store::{Claim, Solution, StoreError, solutions};
+use crate::store::{Claim, Input, Solution, StoreError, holds_cubes, solutions};
 use crate::torus::Packing;
 use crate::verify::{self, Block, NotRecursive, Recursion, Verdict};
+use anyhow::bail;
 use rayon::prelude::*;
 use serde_json::{Value, json};
 use std::io::{self, Write};
@@ -28,7 +30,22 @@ pub fn run(args: &VerifyArgs) -> anyhow::Result<Exit> {
     let mut exit = Exit::Yes;
     let mut objects = Vec::new();
     for file in &args.files {
-        let report = check(file, &claim, args.recursive);
+        let input = source::open(file);
+        if let Ok(input) = input.as_ref()
+            && holds_cubes(input)
+        {
+            if args.recursive || claim != Claim::default() {
+                bail!("{}: holds cubes; options about tiles do not suit it", file.display());
+            }
+            let report = CubeReport::new(file.display().to_string(), input);
+            exit = worse(exit, report.exit());
+            match args.json {
+                true => objects.push(report.object()),
+                false => report.print(args.quiet)?,
+            }
+            continue;
+        }
+        let report = check(file, input, &claim, args.recursive);
         exit = worse(exit, report.exit());
         if args.json {
             objects.push(report.object());
@@ -78,10 +95,10 @@ struct Recursive {
     bad: Vec<(u64, usize, NotRecursive)>,
 }
 
-fn check(file: &Path, claim: &Claim, recursive: bool) -> Report {
+fn check(file: &Path, input: Result<Input, StoreError>, claim: &Claim, recursive: bool) -> Report {
     let mut report = Report { name: file.display().to_string(), ..Report::default() };
     report.recursive = recursive.then(Recursive::default);
-    let input = match source::open(file) {
+    let input = match input {
         Ok(input) => input,
         Err(error) => return Report { error: Some(error), ..report },
     };
@@ -250,7 +267,9 @@ impl Recursive {
         for (number, line, fault) in &self.bad {
             match packings {
                 1 => writeln!(out, "{name}: a packing, but not recursive: {fault}")?,
-                _ => writeln!(out, "{name}: packing {number}, line {line}: not recursive: {fault}")?,
+                _ => {
+                    writeln!(out, "{name}: packing {number}, line {line}: not recursive: {fault}")?
+                }
             }
         }
         match self.failed - self.bad.len() as u64 {

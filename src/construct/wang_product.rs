@@ -35,10 +35,7 @@ impl WangProduct {
 
     /// The product of two of Wei's rings, which is recursive.
     pub fn wei(colors: Colors) -> Self {
-        Self {
-            along: Ring::wei(colors.vertical()),
-            down: Ring::wei_backward(colors.horizontal()),
-        }
+        Self { along: Ring::wei(colors.vertical()), down: Ring::wei_backward(colors.horizontal()) }
     }
 
     /// `CV^2`.

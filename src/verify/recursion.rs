@@ -154,7 +154,8 @@ impl Digits<'_> {
             Kind::Wang => &[("north", false), ("east", true), ("south", false), ("west", true)],
             Kind::Domino => &[("first", true), ("second", true)],
         };
-        let mut rest = u64::from(self.packing.tiles[at.row * self.packing.shape.width() + at.column].0);
+        let mut rest =
+            u64::from(self.packing.tiles[at.row * self.packing.shape.width() + at.column].0);
         let mut parts = Vec::with_capacity(names.len());
         for &(name, vertical) in names.iter().rev() {
             let radix = if vertical { self.v } else { self.h };
@@ -167,9 +168,7 @@ impl Digits<'_> {
 
     fn check(&self, block: Block) -> Result<(), NotRecursive> {
         let (h, v) = (block.horizontal as u64, block.vertical as u64);
-        let places = || {
-            (0..block.width * block.height).map(|i| (i / block.width, i % block.width))
-        };
+        let places = || (0..block.width * block.height).map(|i| (i / block.width, i % block.width));
         let place = |row: usize, column: usize| Place {
             row: block.at.row + row % block.height,
             column: block.at.column + column % block.width,
