@@ -22,7 +22,7 @@ use std::path::Path;
 pub fn run(args: &FindArgs) -> anyhow::Result<Exit> {
     beam::refuse_width(args)?;
     ring::refuse(args)?;
-    if args.method == Method::Beam {
+    if args.method == Method::Beam || args.recursive {
         return beam::run(args);
     }
     if args.method != Method::Search

@@ -47,12 +47,16 @@ Examples:
   tilepack find --kind corner --colors 64 -o all.json      # 16777216 tiles, in closed form
   tilepack find --kind corner --colors 3 --method construct --size 27x3 --seed 5
   tilepack find --kind corner --colors 2 --pin begun.txt    # a grid with . for free cells
+  tilepack find --kind corner --colors 4 --method beam --pin begun.txt
   tilepack find --kind wang --colors 4 --ring wei -o recursive.json
+  tilepack find --kind corner --colors 4 --recursive -o recursive.json
   tilepack find --kind corner --colors 4 --method beam --seed 3
   tilepack find --kind corner --colors 6 --set pruned:0-1,2-3,4-5 --size 77x6 --method beam
 
 Beam search goes on, with new random choices by --seed, until it finds a packing or a limit or \
-signal stops it; a beam that is wider succeeds more often and takes longer.
+signal stops it; a beam that is wider succeeds more often and takes longer. --recursive begins \
+with the packing over two colors and searches, one color after the other, the packing around the \
+one before; it runs on one thread.
 
 JSON fields (--json): result (found, none or stopped; unknown if --method construct knows no \
 construction), method (search, construct, argument or beam), width, height, nodes, seconds, file, \
@@ -82,10 +86,14 @@ Packings count as different when any cell differs. The search removes symmetry f
 multiplies it back exactly; with --up-to-symmetry the sizes of the orbits must add up to the \
 same number.
 
+Rings of dominoes are the Eulerian circuits of a graph, and the BEST theorem counts those of any \
+set at once; larger sets are counted so unless an option asks for a search.
+
 Examples:
   tilepack count --kind corner --colors 2
   tilepack count --kind corner --colors 2 --up-to-symmetry
   tilepack count --kind domino --colors 4
+  tilepack count --kind domino --colors 12 --method formula
   tilepack count --kind corner --colors 3 --automorphism 3,0:+1
   tilepack count --kind corner --colors 3 --time-limit 1m       # too many to count: at least ...
 
@@ -181,6 +189,23 @@ Examples:
 
 JSON fields (--json): size (a string of digits), tiles (with --list), kind, colors, set, checked \
 (whether the size was also found by listing).";
+
+/// Examples for `cube`.
+pub const CUBE: &str = "\
+A corner cube has a color on each of eight corners, a Wang cube one on each of six faces. All of \
+them over some colors fill a torus in space, each once, neighbors matching, in closed form: corner \
+cubes as a stack of shifted copies of the packing of corner tiles, Wang cubes as a product of three \
+rings. What is constructed is checked from the definition before it is written; verify checks it \
+again.
+
+Examples:
+  tilepack cube --kind corner --colors 3 -o cubes.json; tilepack verify cubes.json
+  tilepack cube --kind corner --colors 2 --size 8x8x4
+  tilepack cube --kind wang --colors 2,3,2 --seed 7
+
+JSON fields (--json): result, method, construction, cubes (how many, a string of digits), seed, \
+seconds, file, format, kind, colors, set, width, height, depth, topology; without -o also layers, \
+so that the object is a solution file, too.";
 
 /// Examples for `resume`.
 pub const RESUME: &str = "\

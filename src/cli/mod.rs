@@ -3,8 +3,8 @@
 //! * [`args`] is the command line as typed, [`help`] its longer texts; [`set`] and [`problem`]
 //!   turn it into what the library wants and refuse what makes no sense.
 //! * One file a command: [`find`] (by [`construct`] or [`beam`] where they suit), [`locate`],
-//!   [`count`], [`list`], [`estimate`], [`resume`], [`plan`], [`part`] (the command `run`),
-//!   [`merge`], [`cluster`] (job files), [`verify`], [`show`], [`sets`]; [`ring`] is the option
+//!   [`count`] (also by [`formula`]), [`list`], [`estimate`], [`resume`], [`plan`], [`part`] (the command `run`),
+//!   [`merge`], [`cluster`] (job files), [`verify`], [`show`], [`sets`], [`cube`]; [`ring`] is the option
 //!   `--ring` of two of them.
 //! * [`session`] runs a search with limits, [`signal`]s, [`progress`], [`eta`] (the time that is
 //!   left) and [`status`]; [`saving`] keeps it in a checkpoint, along with the [`request`] that
@@ -19,6 +19,7 @@ pub mod beam;
 pub mod cluster;
 pub mod construct;
 pub mod count;
+pub mod cube;
 pub mod describe;
 pub mod draw;
 pub mod duration;
@@ -26,6 +27,7 @@ pub mod estimate;
 pub mod eta;
 pub mod exit;
 pub mod find;
+pub mod formula;
 pub mod help;
 pub mod list;
 pub mod locate;
@@ -76,6 +78,7 @@ pub fn run() -> Exit {
         Command::Verify(args) => verify::run(args),
         Command::Show(args) => show::run(args),
         Command::Sets(args) => sets::run(args),
+        Command::Cube(args) => cube::run(args),
         Command::Cluster(command) => cluster::run(command),
     };
     exit.unwrap_or_else(|error| {
