@@ -47,9 +47,9 @@ Examples:
   tilepack find --kind corner --colors 64 -o all.json      # 16777216 tiles, in closed form
   tilepack find --kind corner --colors 3 --method construct --size 27x3 --seed 5
   tilepack find --kind corner --colors 2 --pin begun.txt    # a grid with . for free cells
-  tilepack find --kind corner --colors 4 --method beam --pin begun.txt
+  tilepack find --kind corner --colors 2 --method beam --pin begun.txt
   tilepack find --kind wang --colors 4 --ring wei -o recursive.json
-  tilepack find --kind corner --colors 4 --recursive -o recursive.json
+  tilepack find --kind corner --colors 4 --recursive --seed 24 -o recursive.json
   tilepack find --kind corner --colors 4 --method beam --seed 3
   tilepack find --kind corner --colors 6 --set pruned:0-1,2-3,4-5 --size 77x6 --method beam
 

@@ -21,9 +21,9 @@ use std::fmt;
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Block {
     /// Colors of north and south edges; of corners and dominoes.
-    pub horizontal: usize,
+    pub horizontal: u8,
     /// Colors of east and west edges; the same number for corners and dominoes.
-    pub vertical: usize,
+    pub vertical: u8,
     /// Its columns.
     pub width: usize,
     /// Its rows.
@@ -70,15 +70,23 @@ pub enum NotRecursive {
         color: u64,
     },
     /// Tiles that meet when the block is a torus do not fit.
-    #[error("the {block} does not close: {} of the tile at {} is {}, but {} of the tile at {} is {}",
-        .this.1, .this.0, .this.2, .neighbor.1, .neighbor.0, .neighbor.2)]
+    #[error(
+        "the {block} does not close: {part} of the tile at {at} is {}, but {other} of the tile at \
+         {neighbor} is {}", .colors[0], .colors[1]
+    )]
     Seam {
         /// The block.
         block: Block,
-        /// A tile, the name of its side or corner, the color there.
-        this: (Place, &'static str, u64),
+        /// A tile.
+        at: Place,
+        /// Its side or corner.
+        part: &'static str,
         /// The tile to its east or south, around the block.
-        neighbor: (Place, &'static str, u64),
+        neighbor: Place,
+        /// Its side or corner.
+        other: &'static str,
+        /// The colors there.
+        colors: [u8; 2],
     },
     /// A tile occurs again.
     #[error("the {block} has tile {tile} again at {at}")]
@@ -127,7 +135,8 @@ pub fn check_recursion(packing: &Packing) -> Recursion {
         (h, v) = (h - 1, v - 1);
         let (width, height) = sides(h, v);
         let at = Place { row: shape.height() - height, column: 0 };
-        let block = Block { horizontal: h, vertical: v, width, height, at };
+        // There are at most 255 colors.
+        let block = Block { horizontal: h as u8, vertical: v as u8, width, height, at };
         match tiles.check(block) {
             Ok(()) => blocks.push(block),
             // Over two colors there need not be a block.
@@ -167,7 +176,7 @@ impl Digits<'_> {
     }
 
     fn check(&self, block: Block) -> Result<(), NotRecursive> {
-        let (h, v) = (block.horizontal as u64, block.vertical as u64);
+        let (h, v) = (block.horizontal.into(), block.vertical.into());
         let places = || (0..block.width * block.height).map(|i| (i / block.width, i % block.width));
         let place = |row: usize, column: usize| Place {
             row: block.at.row + row % block.height,
@@ -228,8 +237,8 @@ impl Digits<'_> {
         for &(a, b) in pairs {
             let ((part, _, color), (other, _, meets)) = (ours[a], theirs[b]);
             if color != meets {
-                let (this, neighbor) = ((this, part, color), (next, other, meets));
-                return Err(NotRecursive::Seam { block, this, neighbor });
+                let (at, neighbor, colors) = (this, next, [color as u8, meets as u8]);
+                return Err(NotRecursive::Seam { block, at, part, neighbor, other, colors });
             }
         }
         Ok(())

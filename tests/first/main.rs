@@ -144,9 +144,9 @@ fn cells_given_beforehand_are_kept() {
             [|r: usize, _: usize| r == 2, |r, c| (2..5).contains(&r) && c < 3, |_, c| c % 2 == 0]
         {
             let mut pins = Pins::free(lattice);
-            for i in 0..shape.cells() {
+            for (i, &color) in known.iter().enumerate() {
                 if keep(i / shape.width(), i % shape.width()) {
-                    pins.pin(i, known[i]).unwrap();
+                    pins.pin(i, color).unwrap();
                 }
             }
             let options = options(&set, 5);
