@@ -141,6 +141,8 @@ A packing is right when every tile belongs to the set, neighbors agree on the co
 also across both seams, and every tile occurs exactly once. (In a covering, --cover, at least \
 once. Of a compact set, exactly two tiles for each choice of the fixed colors.)
 
+Files of cubes are recognized by their kind, and checked in space.
+
 A bare grid says neither its kind nor its colors: give --kind and --colors. Where a file and the \
 options both speak, they must agree. Rows and columns in messages count from 0.
 

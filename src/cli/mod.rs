@@ -4,7 +4,7 @@
 //!   turn it into what the library wants and refuse what makes no sense.
 //! * One file a command: [`find`] (by [`construct`] or [`beam`] where they suit), [`locate`],
 //!   [`count`] (also by [`formula`]), [`list`], [`estimate`], [`resume`], [`plan`], [`part`] (the command `run`),
-//!   [`merge`], [`cluster`] (job files), [`verify`], [`show`], [`sets`], [`cube`]; [`ring`] is the option
+//!   [`merge`], [`cluster`] (job files), [`verify`] (with [`recursive`]), [`show`], [`sets`], [`cube`]; [`ring`] is the option
 //!   `--ring` of two of them.
 //! * [`session`] runs a search with limits, [`signal`]s, [`progress`], [`eta`] (the time that is
 //!   left) and [`status`]; [`saving`] keeps it in a checkpoint, along with the [`request`] that
@@ -37,6 +37,7 @@ pub mod part;
 pub mod plan;
 pub mod problem;
 pub mod progress;
+pub mod recursive;
 pub mod request;
 pub mod resume;
 pub mod ring;

@@ -5,20 +5,20 @@
 use super::args::VerifyArgs;
 use super::cube::CubeReport;
 use super::exit::Exit;
+use super::recursive::Recursive;
 use super::{describe, output, session, set, source};
 use crate::store::{Claim, Input, Solution, StoreError, holds_cubes, solutions};
 use crate::torus::Packing;
-use crate::verify::{self, Block, NotRecursive, Recursion, Verdict};
+use crate::verify::{self, Recursion, Verdict};
 use anyhow::bail;
 use rayon::prelude::*;
 use serde_json::{Value, json};
-use std::io::{self, Write};
 use std::path::Path;
 
 /// Packings that are read before they are checked together.
 const CHUNK: usize = 4096;
 /// Packings of one file whose faults are told in full.
-const TOLD: usize = 10;
+pub(super) const TOLD: usize = 10;
 
 /// Runs the command.
 ///
@@ -82,19 +82,6 @@ struct Report {
     error: Option<StoreError>,
 }
 
-/// How recursive the packings of a file are.
-#[derive(Default)]
-struct Recursive {
-    /// The blocks of the first packing.
-    blocks: Vec<Block>,
-    /// The least number of blocks.
-    least: Option<usize>,
-    /// Packings that are not recursive.
-    failed: u64,
-    /// The first of those: number, line, why.
-    bad: Vec<(u64, usize, NotRecursive)>,
-}
-
 fn check(file: &Path, input: Result<Input, StoreError>, claim: &Claim, recursive: bool) -> Report {
     let mut report = Report { name: file.display().to_string(), ..Report::default() };
     report.recursive = recursive.then(Recursive::default);
@@ -154,7 +141,7 @@ impl Report {
 
     /// Packings that are not recursive, though they should be.
     fn shallow(&self) -> u64 {
-        self.recursive.as_ref().map_or(0, |all| all.failed)
+        self.recursive.as_ref().map_or(0, Recursive::failed)
     }
 
     fn exit(&self) -> Exit {
@@ -242,57 +229,9 @@ impl Report {
             ("error", json!(error)),
         ];
         if let Some(all) = &self.recursive {
-            fields.push(("recursive", json!(all.least)));
+            fields.push(("recursive", json!(all.least())));
         }
         output::object_text(&fields)
-    }
-}
-
-impl Recursive {
-    fn add(&mut self, number: u64, line: usize, recursion: Recursion) {
-        let depth = recursion.blocks.len();
-        self.least = Some(self.least.map_or(depth, |least| least.min(depth)));
-        if number == 1 {
-            self.blocks = recursion.blocks;
-        }
-        if let Some(fault) = recursion.fault {
-            self.failed += 1;
-            if self.bad.len() < TOLD {
-                self.bad.push((number, line, fault));
-            }
-        }
-    }
-
-    fn print(&self, out: &mut dyn Write, name: &str, packings: u64) -> io::Result<()> {
-        for (number, line, fault) in &self.bad {
-            match packings {
-                1 => writeln!(out, "{name}: a packing, but not recursive: {fault}")?,
-                _ => {
-                    writeln!(out, "{name}: packing {number}, line {line}: not recursive: {fault}")?
-                }
-            }
-        }
-        match self.failed - self.bad.len() as u64 {
-            0 => Ok(()),
-            untold => writeln!(out, "{name}: {untold} more that are not recursive"),
-        }
-    }
-
-    /// What is added to the words about a valid packing.
-    fn words(&self) -> String {
-        let blocks: Vec<String> = self.blocks.iter().map(Block::to_string).collect();
-        match blocks.is_empty() {
-            true => "; recursive, without blocks".to_owned(),
-            false => format!("; recursive: {}", blocks.join("; ")),
-        }
-    }
-
-    fn error(&self, packings: u64) -> Option<String> {
-        let (number, line, fault) = self.bad.first()?;
-        Some(match packings {
-            1 => format!("not recursive: {fault}"),
-            _ => format!("packing {number}, line {line}: not recursive: {fault}"),
-        })
     }
 }
 
