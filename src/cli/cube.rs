@@ -164,8 +164,13 @@ pub struct CubeReport {
 }
 
 impl CubeReport {
-    /// Reads and checks a file.
-    pub fn new(name: String, input: &Input) -> Self {
+    /// Reads and checks a file; refuses it when options say something about tiles.
+    pub fn new(name: String, input: &Input, about_tiles: bool) -> Self {
+        if about_tiles {
+            let message = "holds cubes, but the options are about tiles".to_owned();
+            let checked = Err(StoreError::Content { file: input.file().into(), message });
+            return Self { name, checked };
+        }
         let checked = read_cubes(input).map(|solution| {
             let fault = check_cube_packing(&solution.packing).err();
             (solution, fault)

@@ -123,8 +123,8 @@ fn what_is_wrong_is_refused() {
         ("cube --kind corner --colors 12", "more than 67108864 cubes"),
         ("cube --kind corner --colors 3 --size 8x8x4", "no construction is known"),
         ("cube --kind corner --colors 3 --size 8x8", "expected WxHxD"),
-        ("verify c.json --recursive", "options about tiles"),
-        ("verify c.json --kind corner --colors 2", "options about tiles"),
+        ("verify c.json --recursive", "options are about tiles"),
+        ("verify c.json --kind corner --colors 2", "options are about tiles"),
         ("show c.json", ""),
     ] {
         let run = place.run(args).exits(2);
