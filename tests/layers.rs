@@ -32,6 +32,7 @@ const LAYERS: &[(&str, &[&str])] = &[
             "tiles",
             "torus",
             "construct",
+            "count",
             "search",
             "symmetry",
             "packing",

@@ -6,8 +6,9 @@
 use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
-use tilepack::store::{Claim, Input, read_solution};
+use tilepack::store::{Claim, Input, read_cubes, read_solution};
 use tilepack::tiles::{Colors, Kind};
+use tilepack::torus::CubeKind;
 use tilepack::verify;
 
 fn folder() -> PathBuf {
@@ -32,6 +33,10 @@ const WANTED: &[(&str, Kind, &str, usize)] = &[
     ("wang-complete-3-9x9.json", Kind::Wang, "3", 81),
     ("wang-complete-2-3-9x4.json", Kind::Wang, "2,3", 36),
     ("wang-compact-3-6x3.json", Kind::Wang, "3", 18),
+    ("corner-recursive-3-9x9.json", Kind::Corner, "3", 81),
+    ("corner-recursive-4-16x16.json", Kind::Corner, "4", 256),
+    ("wang-recursive-3-9x9.json", Kind::Wang, "3", 81),
+    ("wang-recursive-4-16x16.json", Kind::Wang, "4", 256),
     ("domino-complete-2.json", Kind::Domino, "2", 4),
     ("domino-complete-3.json", Kind::Domino, "3", 9),
     ("domino-complete-4.json", Kind::Domino, "4", 16),
@@ -41,9 +46,17 @@ const WANTED: &[(&str, Kind, &str, usize)] = &[
     ("domino-complete-8.json", Kind::Domino, "8", 64),
 ];
 
+/// Packings of cubes: name, kind, sides (layers, rows, columns).
+const CUBES: &[(&str, CubeKind, [usize; 3])] = &[
+    ("cube-corner-2-8x8x4.json", CubeKind::Corner, [4, 8, 8]),
+    ("cube-wang-2-4x4x4.json", CubeKind::Wang, [4, 4, 4]),
+];
+
 #[test]
 fn all_are_valid() {
-    let wanted: BTreeSet<String> = WANTED.iter().map(|row| row.0.to_owned()).collect();
+    let tiles = WANTED.iter().map(|row| row.0);
+    let wanted: BTreeSet<String> =
+        tiles.chain(CUBES.iter().map(|row| row.0)).map(str::to_owned).collect();
     assert_eq!(names(), wanted, "files and the table of this test");
     for &(name, kind, colors, tiles) in WANTED {
         let input = Input::open(folder().join(name)).unwrap();
@@ -53,6 +66,17 @@ fn all_are_valid() {
         assert_eq!(packing.set.colors(), colors.parse::<Colors>().unwrap(), "{name}");
         assert_eq!(packing.tiles.len(), tiles, "{name}");
         assert!(verify::check(packing).is_valid(), "{name}: {}", verify::check(packing));
+        assert!(solution.provenance.get("method").is_some(), "{name} has no provenance");
+        if name.contains("recursive") {
+            let recursion = verify::check_recursion(packing);
+            let depth = packing.set.colors().largest() - 1;
+            assert_eq!((recursion.blocks.len(), recursion.fault), (depth, None), "{name}");
+        }
+    }
+    for &(name, kind, sides) in CUBES {
+        let solution = read_cubes(&Input::open(folder().join(name)).unwrap()).unwrap();
+        assert_eq!((solution.packing.set.kind, solution.packing.sides), (kind, sides), "{name}");
+        assert_eq!(verify::check_cube_packing(&solution.packing), Ok(()), "{name}");
         assert!(solution.provenance.get("method").is_some(), "{name} has no provenance");
     }
 }
@@ -67,6 +91,9 @@ fn the_published_packing_is_valid() {
     };
     let solution = read_solution(&input, &claim).unwrap();
     assert!(verify::check(&solution.packing).is_valid());
+    let recursion = verify::check_recursion(&solution.packing);
+    let blocks: Vec<_> = recursion.blocks.iter().map(|b| (b.width, b.at.row)).collect();
+    assert_eq!((blocks, recursion.fault), (vec![(9, 7), (4, 12), (1, 15)], None));
 }
 
 #[test]
@@ -96,5 +123,5 @@ fn commands_write_the_files_again() {
             written += 1;
         }
     }
-    assert_eq!(written, WANTED.len() - 1);
+    assert_eq!(written, WANTED.len() + CUBES.len() - 1);
 }

@@ -114,8 +114,11 @@ impl<R: Rule> Beam<'_, R> {
             let (mut row, mut state) = (Vec::new(), model.start().to_vec());
             for column in 0..model.width {
                 let mut tried = state.clone();
+                let given = model.given(At { row: 0, column });
                 // A few draws a cell: most rows of a set with few dominoes would die early.
-                let color = (0..4 * size).map(|_| palette[random.below(size)]).find(|&color| {
+                let draws = if given.is_some() { 1 } else { 4 * size };
+                let draw = |_| given.unwrap_or_else(|| palette[random.below(size)]);
+                let color = (0..draws).map(draw).find(|&color| {
                     tried.clone_from(&state);
                     model.place(&mut tried, &[], At { row: 0, column }, color).is_some()
                 });

@@ -11,16 +11,21 @@
 //! (Bollobás 1980).
 
 mod descent;
+mod given;
 mod model;
 mod random;
+mod recursive;
 mod restarts;
 mod rule;
 pub mod score;
 
+pub use recursive::find_recursive;
+
 use crate::search::Limits;
 use crate::tiles::{Kind, TileSet};
-use crate::torus::Shape;
+use crate::torus::{Pins, Shape};
 use descent::Beam;
+use given::Frame;
 use model::{Counts, Model};
 use random::Gumbel;
 use rule::{Compact, Once, Rule, Window};
@@ -113,6 +118,9 @@ pub enum Refusal {
     /// Other numbers of dominoes on opposite sides: there is no packing.
     #[error("the tiles do not have the same dominoes on opposite sides: there is no packing")]
     Unbalanced,
+    /// The cells given beforehand are not those of the torus, or use a tile twice.
+    #[error("the cells given beforehand use a tile twice, or more of a color than there is")]
+    Pins,
 }
 
 /// Looks for a packing of a corner set until it is found or the limits say stop.
@@ -122,6 +130,20 @@ pub enum Refusal {
 pub fn find(
     set: &TileSet,
     shape: Shape,
+    options: &Options,
+    limits: &Limits<'_>,
+) -> Result<Outcome, Refusal> {
+    find_around(set, shape, None, options, limits)
+}
+
+/// As [`find`], among the packings that have certain cells as given beforehand.
+///
+/// # Errors
+/// As [`find`], and when these cells cannot be part of a packing.
+pub fn find_around(
+    set: &TileSet,
+    shape: Shape,
+    pins: Option<&Pins>,
     options: &Options,
     limits: &Limits<'_>,
 ) -> Result<Outcome, Refusal> {
@@ -142,34 +164,33 @@ pub fn find(
     let turned = shape.width() > shape.height();
     let tiles = windows(set, turned);
     let counts = counts(set, &tiles)?;
+    let frame = Frame::new(shape, turned, pins).ok_or(Refusal::Pins)?;
     if set.is_compact() {
-        Ok(search(Compact::new(colors), &counts, shape, turned, options, limits))
+        search(Compact::new(colors), &counts, &frame, options, limits)
     } else {
-        Ok(search(Once::new(colors, &tiles), &counts, shape, turned, options, limits))
+        search(Once::new(colors, &tiles), &counts, &frame, options, limits)
     }
 }
 
 fn search<R: Rule>(
     rule: R,
     counts: &Counts,
-    shape: Shape,
-    turned: bool,
+    frame: &Frame,
     options: &Options,
     limits: &Limits<'_>,
-) -> Outcome {
-    let (w, h) = (shape.width(), shape.height());
-    let sides = if turned { (h, w) } else { (w, h) };
-    let logs = Logarithms::new(options.weights, shape.cells());
-    let model = Model::new(sides, counts, rule, logs);
+) -> Result<Outcome, Refusal> {
+    let (sides, given) = (frame.sides(), frame.given());
+    let logs = Logarithms::new(options.weights, sides.0 * sides.1);
+    let model = Model::new(sides, counts, rule, logs, given).ok_or(Refusal::Pins)?;
     let gumbel = Gumbel::new(options.tau);
     let Options { width, palette, seed, .. } = *options;
     let beam = Beam { model: &model, gumbel: &gumbel, width, palette: palette.max(1), seed };
     let run = restarts::run(&beam, options.threads.max(1), limits);
     let (restart, labels) = match run.found {
-        Some((number, cells)) => (number, Some(if turned { turn(&cells, shape) } else { cells })),
+        Some((number, cells)) => (number, Some(frame.restore(&cells))),
         None => (run.ended, None),
     };
-    Outcome { labels, restart, nodes: run.nodes, depth: run.depth }
+    Ok(Outcome { labels, restart, nodes: run.nodes, depth: run.depth })
 }
 
 /// The tiles that may occur, reflected through their SW-NE diagonal when rows and columns are
@@ -180,12 +201,6 @@ fn windows(set: &TileSet, turned: bool) -> Vec<Window> {
         if turned { [se, ne, sw, nw] } else { [nw, ne, sw, se] }
     };
     set.allowed().map(window).collect()
-}
-
-/// The same reflection on the torus, of `shape` afterwards.
-fn turn(cells: &[u8], shape: Shape) -> Vec<u8> {
-    let (w, h) = (shape.width(), shape.height());
-    (0..w * h).map(|i| cells[(w - 1 - i % w) * h + (h - 1 - i / w)]).collect()
 }
 
 /// How many dominoes and colors there are to place.

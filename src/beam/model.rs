@@ -5,10 +5,12 @@
 //! and down; for every color the cells it still gets; the last `width` cells and two before
 //! them; and what a [`Rule`] keeps. Everything a cell decides is decided as soon as it is
 //! filled, across the seams too: a cell of the last column completes a second window and domino,
-//! one of the last row those with the first row, which is the same in all states of a beam.
+//! one of the last row those with the first row, which is the same in all states of a beam. What
+//! cells given beforehand decide among themselves is decided at the start.
 //!
 //! Source: this project (search.md 6).
 
+use super::given::{Given, around};
 use super::rule::{Rule, Window};
 use super::score::Logarithms;
 
@@ -42,6 +44,7 @@ pub(super) struct Model<R> {
     rule: R,
     layout: Layout,
     start: Vec<u16>,
+    given: Given,
 }
 
 /// How many tiles and cells there are, before any is placed.
@@ -60,7 +63,8 @@ impl<R: Rule> Model<R> {
         counts: &Counts,
         rule: R,
         logs: Logarithms,
-    ) -> Self {
+        given: Given,
+    ) -> Option<Self> {
         let colors = counts.cells.len();
         let pairs = colors * colors;
         let (across, down) = (&counts.across, &counts.down);
@@ -79,7 +83,40 @@ impl<R: Rule> Model<R> {
             rule: start.len(),
         };
         start.extend(rule.start());
-        Self { colors, width, height, logs, rule, layout, start }
+        let mut model = Self { colors, width, height, logs, rule, layout, start, given };
+        model.start = model.spend_given()?;
+        Some(model)
+    }
+
+    /// The start less what the cells given beforehand use among themselves, so that the counts
+    /// of a state are those of what is still to be decided; `None` when they use more than there
+    /// is.
+    fn spend_given(&self) -> Option<Vec<u16>> {
+        let Layout { across, down, cells, .. } = self.layout;
+        let mut state = self.start.clone();
+        let color = |row, column| self.given.color(row, column);
+        for row in 0..self.height {
+            for column in 0..self.width {
+                let Some(nw) = color(row, column) else { continue };
+                let (ne, sw) = (color(row, column + 1), color(row + 1, column));
+                self.spend(&mut state, cells + nw, &self.logs.colors)?;
+                if let Some(ne) = ne {
+                    self.spend(&mut state, across + nw * self.colors + ne, &self.logs.dominoes)?;
+                }
+                if let Some(sw) = sw {
+                    self.spend(&mut state, down + nw * self.colors + sw, &self.logs.dominoes)?;
+                }
+            }
+        }
+        for row in 0..self.height {
+            for column in 0..self.width {
+                let window = around(row, column).map(|(row, column)| color(row, column));
+                if let [Some(nw), Some(ne), Some(sw), Some(se)] = window {
+                    self.complete(&mut state, [nw, ne, sw, se])?;
+                }
+            }
+        }
+        Some(state)
     }
 
     /// Nothing placed.
@@ -92,6 +129,11 @@ impl<R: Rule> Model<R> {
         self.start.len()
     }
 
+    /// The color that a cell has beforehand.
+    pub(super) fn given(&self, at: At) -> Option<usize> {
+        self.given.color(at.row, at.column)
+    }
+
     /// Fills a cell and gives the change of the score, or `None` when that is not possible; the
     /// state is then spoiled. `top` is the first row, as far as it is needed.
     pub(super) fn place(&self, state: &mut [u16], top: &[u8], at: At, color: usize) -> Option<i64> {
@@ -100,26 +142,35 @@ impl<R: Rule> Model<R> {
         let (last_column, last_row) = (at.column + 1 == self.width, at.row + 1 == self.height);
         let [north, north_west] = [line + at.column, nw].map(|i| usize::from(state[i]));
         let west = usize::from(state[line + at.column.max(1) - 1]);
-        let mut score = self.spend(state, cells + color, &self.logs.colors)?;
+        // What lies among cells given beforehand was spent at the start.
+        let open = |cells: &[(usize, usize)]| !self.given.all(cells);
+        let (row, column) = (at.row, at.column);
+        let mut score = 0;
+        if open(&[(row, column)]) {
+            score += self.spend(state, cells + color, &self.logs.colors)?;
+        }
 
         state[nw] = north as u16;
-        if at.column == 0 {
+        if column == 0 {
             state[first] = north as u16;
-        } else {
+        } else if open(&[(row, column - 1), (row, column)]) {
             score += self.spend(state, across + west * self.colors + color, &self.logs.dominoes)?;
         }
         state[line + at.column] = color as u16;
         let start = usize::from(state[line]);
-        if last_column {
+        if last_column && open(&[(row, column), (row, 0)]) {
             score +=
                 self.spend(state, across + color * self.colors + start, &self.logs.dominoes)?;
         }
-        if at.row > 0 {
-            score += self.spend(state, down + north * self.colors + color, &self.logs.dominoes)?;
-            if at.column > 0 {
+        if row > 0 {
+            if open(&[(row - 1, column), (row, column)]) {
+                score +=
+                    self.spend(state, down + north * self.colors + color, &self.logs.dominoes)?;
+            }
+            if column > 0 && open(&around(row - 1, column - 1)) {
                 score += self.complete(state, [north_west, north, west, color])?;
             }
-            if last_column {
+            if last_column && open(&around(row - 1, column)) {
                 let above = usize::from(state[first]);
                 score += self.complete(state, [north, above, color, start])?;
             }
@@ -127,11 +178,14 @@ impl<R: Rule> Model<R> {
         if last_row {
             let below = |column: usize| usize::from(top[column]);
             let south = below(at.column);
-            score += self.spend(state, down + color * self.colors + south, &self.logs.dominoes)?;
-            if at.column > 0 {
-                score += self.complete(state, [west, color, below(at.column - 1), south])?;
+            if open(&[(row, column), (row + 1, column)]) {
+                score +=
+                    self.spend(state, down + color * self.colors + south, &self.logs.dominoes)?;
             }
-            if last_column {
+            if column > 0 && open(&around(row, column - 1)) {
+                score += self.complete(state, [west, color, below(column - 1), south])?;
+            }
+            if last_column && open(&around(row, column)) {
                 score += self.complete(state, [color, start, south, below(0)])?;
             }
         }
@@ -173,6 +227,14 @@ impl<R: Rule> Model<R> {
         scratch: &mut Vec<u16>,
         mut each: impl FnMut(usize, i64),
     ) {
+        if let Some(color) = self.given.color(at.row, at.column) {
+            scratch.clear();
+            scratch.extend_from_slice(state);
+            if let Some(change) = self.place(scratch, top, at, color) {
+                each(color, change);
+            }
+            return;
+        }
         let inner = at.row > 0 && at.row + 1 < self.height;
         if !(inner && at.column > 0 && at.column + 1 < self.width) {
             for color in 0..self.colors {

@@ -3,10 +3,13 @@
 //! What depends on more than one option (colors on the kind, a size on the set) is kept as text
 //! here and read in [`super::problem`], where errors can say more.
 
+mod cube;
 mod parts;
 
+pub use cube::{CubeArgs, CubeKindArg};
 pub use parts::{ClusterCommand, JobArgs, MergeArgs, PartArgs, PlanArgs, SlurmArgs};
 
+use super::ring::RingOrder;
 use super::{duration, help};
 use crate::tiles::Kind;
 use crate::torus::Order;
@@ -35,7 +38,7 @@ pub enum Command {
     /// Say where a tile lies in the constructed packing
     #[command(after_help = help::LOCATE)]
     Locate(LocateArgs),
-    /// Count all packings, exactly, by search
+    /// Count all packings, exactly
     #[command(after_help = help::COUNT)]
     Count(CountArgs),
     /// List all packings, sorted, one JSON object a line
@@ -65,6 +68,9 @@ pub enum Command {
     /// Give the size of a tile set, and its tiles
     #[command(after_help = help::SETS)]
     Sets(SetsArgs),
+    /// Construct a packing of cubes on a torus in space
+    #[command(after_help = help::CUBE)]
+    Cube(CubeArgs),
     /// Write a job file that runs the parts of a plan with a scheduler
     #[command(after_help = help::CLUSTER, subcommand, disable_help_subcommand = true)]
     Cluster(ClusterCommand),
@@ -196,6 +202,13 @@ pub struct FindArgs {
     /// Partial packings that beam search keeps at every cell [default: 3000]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=200_000))]
     pub beam_width: Option<u32>,
+    /// The rings that dominoes and Wang tiles are constructed from
+    #[arg(long, value_enum, default_value_t = RingOrder::Least)]
+    pub ring: RingOrder,
+    /// Corner tiles: a packing that holds packings over fewer and fewer colors in its
+    /// south-west, built up from two colors by beam search
+    #[arg(long)]
+    pub recursive: bool,
     /// The order in which colors or tiles are tried
     #[arg(long, value_enum, default_value_t = ValueOrder::Lexicographic)]
     pub values: ValueOrder,
@@ -246,6 +259,9 @@ pub struct LocateArgs {
     /// Which member of the family; 0 is the closed form itself
     #[arg(long, value_name = "N", default_value_t = 0, help_heading = "Problem")]
     pub seed: u64,
+    /// The rings that dominoes and Wang tiles are constructed from
+    #[arg(long, value_enum, default_value_t = RingOrder::Least, help_heading = "Problem")]
+    pub ring: RingOrder,
     /// Tile numbers, or colors: NE,SE,SW,NW of a corner tile, N,E,S,W of a Wang tile,
     /// first,second of a domino
     #[arg(required = true, value_name = "TILE")]
@@ -264,6 +280,9 @@ pub struct CountArgs {
     /// How to search.
     #[command(flatten)]
     pub search: SearchArgs,
+    /// How to count
+    #[arg(long, value_enum, default_value_t = CountMethod::Auto, help_heading = "Search")]
+    pub method: CountMethod,
     /// Also count packings up to symmetry: translations, color permutations, and the rotations
     /// and reflections that keep the torus and the set
     #[arg(long, help_heading = "Result")]
@@ -271,6 +290,17 @@ pub struct CountArgs {
     /// One JSON object on standard output
     #[arg(long, help_heading = "Result")]
     pub json: bool,
+}
+
+/// Ways to count packings.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum CountMethod {
+    /// The formula for more than 16 dominoes where no option asks for a search; else search
+    Auto,
+    /// Exhaustive search
+    Search,
+    /// The BEST theorem: rings of any set of dominoes
+    Formula,
 }
 
 /// All packings.
@@ -354,6 +384,10 @@ pub struct VerifyArgs {
     /// Threads [default: all cores]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024), help_heading = "Result")]
     pub threads: Option<u16>,
+    /// Ask for more than a packing: one that holds packings over fewer and fewer colors in its
+    /// south-west
+    #[arg(long, help_heading = "Result")]
+    pub recursive: bool,
     /// Nothing about valid files; only what is wrong, and the exit code
     #[arg(long, help_heading = "Result")]
     pub quiet: bool,

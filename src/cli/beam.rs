@@ -1,6 +1,6 @@
 //! `find --method beam`: a first packing of corner tiles by beam search.
 //!
-//! What the beam cannot be asked for is refused before anything runs: it knows no pins, no
+//! What the beam cannot be asked for is refused before anything runs: it knows no
 //! automorphisms and no coverings. It never says that there is no packing, so without a limit it
 //! goes on until it finds one or is told to stop.
 
@@ -11,8 +11,8 @@ use super::{describe, output, problem};
 use crate::beam::{self, Options, Outcome};
 use crate::packing::Task;
 use crate::store::{Layout, check_writable, write_file, write_grid, write_solution};
-use crate::tiles::Kind;
-use crate::torus::Packing;
+use crate::tiles::{Kind, Members};
+use crate::torus::{Packing, Shape};
 use crate::verify;
 use anyhow::{Context, bail};
 use serde_json::{Value, json};
@@ -25,10 +25,17 @@ pub fn run(args: &FindArgs) -> anyhow::Result<Exit> {
     refuse(args)?;
     let task = problem::task(&args.problem, None)?;
     if task.set.kind() != Kind::Corner {
-        bail!("--method beam is for corner tiles, not for {} tiles", task.set.kind());
+        let asked = if args.recursive { "--recursive" } else { "--method beam" };
+        bail!("{asked} is for corner tiles, not for {} tiles", task.set.kind());
     }
     if let Some(file) = &args.output {
         check_writable(file)?;
+    }
+    if args.recursive {
+        let shape = Shape::default_for(&task.set)?;
+        if *task.set.members() != Members::Complete || task.shape != shape || task.has_pins() {
+            bail!("--recursive is for all corner tiles over C colors on C^2 x C^2, without --pin");
+        }
     }
     let session = Session::new(&args.search.run)?;
     let mut options = Options { seed: args.search.seed, ..Options::for_set(&task.set) };
@@ -39,7 +46,10 @@ pub fn run(args: &FindArgs) -> anyhow::Result<Exit> {
     }
     let (outcome, ended) = session.bounded(|threads, limits| {
         let options = Options { threads, ..options };
-        beam::find(&task.set, task.shape, &options, limits)
+        if args.recursive {
+            return beam::find_recursive(task.set.colors().largest(), &options, limits);
+        }
+        beam::find_around(&task.set, task.shape, Some(&task.pins), &options, limits)
     });
     let outcome = outcome.context("--method beam")?;
     answer.give(&session, &outcome, &ended)
@@ -49,7 +59,6 @@ pub fn run(args: &FindArgs) -> anyhow::Result<Exit> {
 fn refuse(args: &FindArgs) -> anyhow::Result<()> {
     let (problem, search) = (&args.problem, &args.search);
     for (given, option, why) in [
-        (problem.pin.is_some(), "--pin", "it chooses every cell itself"),
         (problem.automorphism.is_some(), "--automorphism", "it knows no symmetry"),
         (problem.cover, "--cover", "it places every tile exactly once"),
         (search.order.is_some(), "--order", "it fills rows along the short side"),
@@ -65,12 +74,17 @@ fn refuse(args: &FindArgs) -> anyhow::Result<()> {
     Ok(())
 }
 
-/// Refuses the width of a beam for any other method.
+/// Refuses what belongs to a beam for any other method.
 ///
 /// # Errors
 /// When it is given.
 pub fn refuse_width(args: &FindArgs) -> anyhow::Result<()> {
-    if args.beam_width.is_some() && args.method != Method::Beam {
+    if args.recursive && !matches!(args.method, Method::Auto | Method::Beam) {
+        bail!(
+            "--recursive needs --method beam; of dominoes and Wang tiles --ring wei is recursive"
+        );
+    }
+    if args.beam_width.is_some() && args.method != Method::Beam && !args.recursive {
         bail!("--beam-width needs --method beam");
     }
     Ok(())
@@ -121,8 +135,15 @@ impl Answer<'_> {
         if !verdict.is_valid() {
             bail!("internal error: the beam found no packing: {verdict}; please report this");
         }
+        let mut how = "beam search".to_owned();
+        if self.args.recursive {
+            if let Some(fault) = verify::check_recursion(&packing).fault {
+                bail!("internal error: the packing is not recursive: {fault}; please report this");
+            }
+            how += " around a packing over one color less, and so on";
+        }
         let Options { seed, width, .. } = self.options;
-        let how = format!("beam search (seed {seed}, width {width}, restart {})", outcome.restart);
+        how += &format!(" (seed {seed}, width {width}, restart {})", outcome.restart);
         if let Some(file) = &self.args.output {
             let provenance = self.provenance(&how, outcome);
             write_file(file, |out| write_solution(out, &packing, &provenance, Layout::Pretty))?;

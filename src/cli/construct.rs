@@ -5,7 +5,8 @@
 
 use super::args::{FindArgs, ValueOrder};
 use super::exit::Exit;
-use super::{describe, duration, output, problem};
+use super::ring::RingOrder;
+use super::{describe, duration, output, problem, ring};
 use crate::construct::{Constructed, NotConstructed, construct};
 use crate::packing::Task;
 use crate::packing::task::TaskError;
@@ -29,11 +30,13 @@ const MOST_TO_HOLD: usize = 1 << 20;
 /// Bad input, or a file that cannot be written.
 pub fn run(args: &FindArgs) -> anyhow::Result<Exit> {
     if let Some(option) = asks_for_search(args) {
-        bail!("--method construct: {option} is for a search");
+        let by_ring = args.ring != RingOrder::Least;
+        let what = if by_ring { "--ring wei" } else { "--method construct" };
+        bail!("{what}: {option} is for a search");
     }
     let (set, shape) = problem::set_and_shape(&args.problem)?;
     let begin = Instant::now();
-    match find(&set, shape, args.search.seed) {
+    match ring::find(&set, shape, args.search.seed, args.ring)? {
         Ok(constructed) => give(args, &constructed, begin, None),
         Err(why) => {
             check_size(&set, shape)?;

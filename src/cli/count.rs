@@ -1,11 +1,11 @@
-//! `count`: the exact number of packings, by search.
+//! `count`: the exact number of packings, by search, or by [`super::formula`].
 
 use super::args::CountArgs;
 use super::exit::Exit;
 use super::request::Request;
 use super::saving::Save;
 use super::session::{Done, Session};
-use super::{describe, output, problem};
+use super::{describe, formula, output, problem};
 use crate::packing::solve::counted;
 use crate::packing::{Counted, Job, Question};
 use crate::tiles::Kind;
@@ -17,6 +17,9 @@ use serde_json::{Value, json};
 /// # Errors
 /// Bad input.
 pub fn run(args: &CountArgs) -> anyhow::Result<Exit> {
+    if let Some(exit) = formula::answer(args)? {
+        return Ok(exit);
+    }
     let task = problem::task(&args.problem, args.search.order)?;
     let question = Question::Count { up_to_symmetry: args.up_to_symmetry };
     let job = Job { reduce: !args.search.plain, ..Job::new(task, question) };

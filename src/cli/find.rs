@@ -4,9 +4,10 @@ use super::args::{FindArgs, Method, ValueOrder};
 use super::choose::{self, Way};
 use super::exit::Exit;
 use super::request::Request;
+use super::ring::RingOrder;
 use super::saving::Save;
 use super::session::{Done, Session};
-use super::{anneal, beam, construct, describe, output, problem};
+use super::{anneal, beam, construct, describe, output, problem, ring};
 use crate::packing::{Job, Question};
 use crate::search::Values;
 use crate::store::{Layout, check_writable, write_file, write_grid, write_solution};
@@ -23,6 +24,13 @@ use std::time::Instant;
 /// Bad input, or a file that cannot be written.
 pub fn run(args: &FindArgs) -> anyhow::Result<Exit> {
     beam::refuse_width(args)?;
+    ring::refuse(args)?;
+    if args.recursive {
+        return beam::run(args);
+    }
+    if args.ring != RingOrder::Least {
+        return construct::run(args);
+    }
     match args.method {
         Method::Beam => beam::run(args),
         Method::Anneal => anneal::run(args, None),

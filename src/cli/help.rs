@@ -50,11 +50,16 @@ Examples:
   tilepack find --kind corner --colors 64 -o all.json      # 16777216 tiles, in closed form
   tilepack find --kind corner --colors 3 --method construct --size 27x3 --seed 5
   tilepack find --kind corner --colors 2 --pin begun.txt    # a grid with . for free cells
+  tilepack find --kind corner --colors 2 --method beam --pin begun.txt
+  tilepack find --kind wang --colors 4 --ring wei -o recursive.json
+  tilepack find --kind corner --colors 4 --recursive --seed 24 -o recursive.json
   tilepack find --kind corner --colors 4 --method beam --seed 3
   tilepack find --kind corner --colors 6 --set pruned:0-1,2-3,4-5 --size 77x6 --method beam
 
 Beam search goes on, with new random choices by --seed, until it finds a packing or a limit or \
-signal stops it; a beam that is wider succeeds more often and takes longer.
+signal stops it; a beam that is wider succeeds more often and takes longer. --recursive begins \
+with the packing over two colors and searches, one color after the other, the packing around the \
+one before; it runs on one thread.
 
 JSON fields (--json): result (found, none or stopped; unknown if --method construct knows no \
 construction), method (search, construct, anneal, argument or beam), why (this method, when \
@@ -74,6 +79,7 @@ Examples:
   tilepack locate --kind corner --colors 64 12345 16777215
   tilepack locate --kind corner --colors 3 0,1,2,0         # NE 0, SE 1, SW 2, NW 0
   tilepack locate --kind wang --colors 2,3 --json 7
+  tilepack locate --kind wang --colors 5 --ring wei 123
 
 JSON fields (--json): kind, colors, width, height, construction, source, seed, tiles, a list with \
 one object for each tile: tile, row, column; result unknown and reason if no construction is known.";
@@ -84,10 +90,14 @@ Packings count as different when any cell differs. The search removes symmetry f
 multiplies it back exactly; with --up-to-symmetry the sizes of the orbits must add up to the \
 same number.
 
+Rings of dominoes are the Eulerian circuits of a graph, and the BEST theorem counts those of any \
+set at once; larger sets are counted so unless an option asks for a search.
+
 Examples:
   tilepack count --kind corner --colors 2
   tilepack count --kind corner --colors 2 --up-to-symmetry
   tilepack count --kind domino --colors 4
+  tilepack count --kind domino --colors 12 --method formula
   tilepack count --kind corner --colors 3 --automorphism 3,0:+1
   tilepack count --kind corner --colors 3 --time-limit 1m       # too many to count: at least ...
 
@@ -135,20 +145,28 @@ A packing is right when every tile belongs to the set, neighbors agree on the co
 also across both seams, and every tile occurs exactly once. (In a covering, --cover, at least \
 once. Of a compact set, exactly two tiles for each choice of the fixed colors.)
 
+Files of cubes are recognized by their kind, and checked in space.
+
 A bare grid says neither its kind nor its colors: give --kind and --colors. Where a file and the \
 options both speak, they must agree. Rows and columns in messages count from 0.
 
-Exit code: 0 all valid, 1 some packing is not valid, 2 some file cannot be read or has a size \
-that does not match its set.
+With --recursive a packing must also be recursive (Lagae 2007, figure 5.11): its south-west block \
+of (C-1)^2 x (C-1)^2 tiles is a packing over the first C-1 colors that closes on its own, and is \
+recursive itself, down to two colors. The blocks are told.
+
+Exit code: 0 all valid, 1 some packing is not valid (not recursive), 2 some file cannot be read or \
+has a size that does not match its set.
 
 Examples:
   tilepack verify packing.json all.jsonl
   tilepack verify --kind corner --colors 4 grid.txt
+  tilepack verify --recursive packing.json
   tilepack find --kind wang --colors 3 | tilepack verify -
 
 JSON fields (--json): files, a list with one object for each file: file, valid, kind, colors, \
 width, height, set, topology (those of the first packing; null if there is none), packings (how \
-many were read), error (null if valid; else the first fault).";
+many were read), error (null if valid; else the first fault); with --recursive also recursive (the \
+number of blocks, each in the one before; of several packings the least).";
 
 /// Examples for `show`.
 pub const SHOW: &str = "\
@@ -177,6 +195,23 @@ Examples:
 
 JSON fields (--json): size (a string of digits), tiles (with --list), kind, colors, set, checked \
 (whether the size was also found by listing).";
+
+/// Examples for `cube`.
+pub const CUBE: &str = "\
+A corner cube has a color on each of eight corners, a Wang cube one on each of six faces. All of \
+them over some colors fill a torus in space, each once, neighbors matching, in closed form: corner \
+cubes as a stack of shifted copies of the packing of corner tiles, Wang cubes as a product of three \
+rings. What is constructed is checked from the definition before it is written; verify checks it \
+again.
+
+Examples:
+  tilepack cube --kind corner --colors 3 -o cubes.json; tilepack verify cubes.json
+  tilepack cube --kind corner --colors 2 --size 8x8x4
+  tilepack cube --kind wang --colors 2,3,2 --seed 7
+
+JSON fields (--json): result, method, construction, cubes (how many, a string of digits), seed, \
+seconds, file, format, kind, colors, set, width, height, depth, topology; without -o also layers, \
+so that the object is a solution file, too.";
 
 /// Examples for `resume`.
 pub const RESUME: &str = "\

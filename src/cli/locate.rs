@@ -2,7 +2,7 @@
 
 use super::args::{LocateArgs, ProblemArgs};
 use super::exit::Exit;
-use super::{construct, output, problem};
+use super::{construct, output, problem, ring};
 use crate::construct::NotConstructed;
 use crate::tiles::{TileId, TileSet};
 use crate::torus::Packing;
@@ -25,7 +25,7 @@ pub fn run(args: &LocateArgs) -> anyhow::Result<Exit> {
     construct::check_size(&set, shape)?;
     let tiles: Vec<TileId> =
         args.tiles.iter().map(|text| tile(text, &set)).collect::<anyhow::Result<_>>()?;
-    let constructed = match construct::find(&set, shape, args.seed) {
+    let constructed = match ring::find(&set, shape, args.seed, args.ring)? {
         Ok(constructed) => constructed,
         Err(why) => {
             let result = match why {

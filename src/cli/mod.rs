@@ -3,8 +3,9 @@
 //! * [`args`] is the command line as typed, [`help`] its longer texts; [`set`] and [`problem`]
 //!   turn it into what the library wants and refuse what makes no sense.
 //! * One file a command: [`find`] (by [`construct`] or [`beam`] where they suit), [`locate`],
-//!   [`count`], [`list`], [`estimate`], [`resume`], [`plan`], [`part`] (the command `run`),
-//!   [`merge`], [`cluster`] (job files), [`verify`], [`show`], [`sets`].
+//!   [`count`] (also by [`formula`]), [`list`], [`estimate`], [`resume`], [`plan`], [`part`] (the command `run`),
+//!   [`merge`], [`cluster`] (job files), [`verify`] (with [`recursive`]), [`show`], [`sets`], [`cube`]; [`ring`] is the option
+//!   `--ring` of two of them.
 //! * [`session`] runs a search with limits, [`signal`]s, [`progress`], [`eta`] (the time that is
 //!   left) and [`status`]; [`saving`] keeps it in a checkpoint, along with the [`request`] that
 //!   the answer is for.
@@ -20,6 +21,7 @@ pub mod choose;
 pub mod cluster;
 pub mod construct;
 pub mod count;
+pub mod cube;
 pub mod describe;
 pub mod draw;
 pub mod duration;
@@ -27,6 +29,7 @@ pub mod estimate;
 pub mod eta;
 pub mod exit;
 pub mod find;
+pub mod formula;
 pub mod found;
 pub mod help;
 pub mod list;
@@ -37,8 +40,10 @@ pub mod part;
 pub mod plan;
 pub mod problem;
 pub mod progress;
+pub mod recursive;
 pub mod request;
 pub mod resume;
+pub mod ring;
 pub mod saving;
 pub mod session;
 pub mod set;
@@ -77,6 +82,7 @@ pub fn run() -> Exit {
         Command::Verify(args) => verify::run(args),
         Command::Show(args) => show::run(args),
         Command::Sets(args) => sets::run(args),
+        Command::Cube(args) => cube::run(args),
         Command::Cluster(command) => cluster::run(command),
     };
     exit.unwrap_or_else(|error| {

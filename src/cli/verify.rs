@@ -3,11 +3,13 @@
 //! The packings of a list are checked in chunks on all threads; reports keep their order.
 
 use super::args::VerifyArgs;
+use super::cube::CubeReport;
 use super::exit::Exit;
+use super::recursive::Recursive;
 use super::{describe, output, session, set, source};
-use crate::store::{Claim, Solution, StoreError, solutions};
+use crate::store::{Claim, Input, Solution, StoreError, holds_cubes, solutions};
 use crate::torus::Packing;
-use crate::verify::{self, Verdict};
+use crate::verify::{self, Recursion, Verdict};
 use rayon::prelude::*;
 use serde_json::{Value, json};
 use std::path::Path;
@@ -15,7 +17,7 @@ use std::path::Path;
 /// Packings that are read before they are checked together.
 const CHUNK: usize = 4096;
 /// Packings of one file whose faults are told in full.
-const TOLD: usize = 10;
+pub(super) const TOLD: usize = 10;
 
 /// Runs the command.
 ///
@@ -27,7 +29,20 @@ pub fn run(args: &VerifyArgs) -> anyhow::Result<Exit> {
     let mut exit = Exit::Yes;
     let mut objects = Vec::new();
     for file in &args.files {
-        let report = check(file, &claim);
+        let input = source::open(file);
+        if let Ok(input) = input.as_ref()
+            && holds_cubes(input)
+        {
+            let about_tiles = args.recursive || claim != Claim::default();
+            let report = CubeReport::new(file.display().to_string(), input, about_tiles);
+            exit = worse(exit, report.exit());
+            match args.json {
+                true => objects.push(report.object()),
+                false => report.print(args.quiet)?,
+            }
+            continue;
+        }
+        let report = check(file, input, &claim, args.recursive);
         exit = worse(exit, report.exit());
         if args.json {
             objects.push(report.object());
@@ -58,13 +73,16 @@ struct Report {
     /// The first of those: its number in the file, its line, what is wrong with it.
     bad: Vec<(u64, usize, Verdict)>,
     wrong_size: bool,
+    /// What was asked for besides.
+    recursive: Option<Recursive>,
     /// Why the file could not be read to its end.
     error: Option<StoreError>,
 }
 
-fn check(file: &Path, claim: &Claim) -> Report {
+fn check(file: &Path, input: Result<Input, StoreError>, claim: &Claim, recursive: bool) -> Report {
     let mut report = Report { name: file.display().to_string(), ..Report::default() };
-    let input = match source::open(file) {
+    report.recursive = recursive.then(Recursive::default);
+    let input = match input {
         Ok(input) => input,
         Err(error) => return Report { error: Some(error), ..report },
     };
@@ -86,11 +104,15 @@ fn check(file: &Path, claim: &Claim) -> Report {
                 None => break,
             }
         }
-        let verdicts: Vec<Verdict> =
-            chunk.par_iter().map(|solution| verify::check(&solution.packing)).collect();
+        let judge = |solution: &Solution| {
+            let verdict = verify::check(&solution.packing);
+            let asked = recursive && verdict.is_valid();
+            (verdict, asked.then(|| verify::check_recursion(&solution.packing)))
+        };
+        let verdicts: Vec<(Verdict, Option<Recursion>)> = chunk.par_iter().map(judge).collect();
         let last = report.error.is_some() || chunk.is_empty();
-        for (solution, verdict) in chunk.into_iter().zip(verdicts) {
-            report.add(solution, verdict);
+        for (solution, (verdict, recursion)) in chunk.into_iter().zip(verdicts) {
+            report.add(solution, verdict, recursion);
         }
         if last {
             return report;
@@ -99,7 +121,7 @@ fn check(file: &Path, claim: &Claim) -> Report {
 }
 
 impl Report {
-    fn add(&mut self, solution: Solution, verdict: Verdict) {
+    fn add(&mut self, solution: Solution, verdict: Verdict, recursion: Option<Recursion>) {
         self.packings += 1;
         if !verdict.is_valid() {
             self.invalid += 1;
@@ -108,11 +130,19 @@ impl Report {
                 self.bad.push((self.packings, solution.line, verdict));
             }
         }
+        if let (Some(all), Some(recursion)) = (&mut self.recursive, recursion) {
+            all.add(self.packings, solution.line, recursion);
+        }
         self.first.get_or_insert(solution.packing);
     }
 
+    /// Packings that are not recursive, though they should be.
+    fn shallow(&self) -> u64 {
+        self.recursive.as_ref().map_or(0, Recursive::failed)
+    }
+
     fn exit(&self) -> Exit {
-        match (self.error.is_some() || self.wrong_size, self.invalid) {
+        match (self.error.is_some() || self.wrong_size, self.invalid + self.shallow()) {
             (true, _) => Exit::Bad,
             (false, 0) => Exit::Yes,
             (false, _) => Exit::No,
@@ -142,14 +172,18 @@ impl Report {
                     writeln!(out, "  and {more} more")?;
                 }
             }
-            let valid = self.packings - self.invalid;
+            let valid = self.packings - self.invalid - self.shallow();
             let untold = self.invalid - self.bad.len() as u64;
             if untold > 0 {
                 writeln!(out, "{name}: {untold} more that are not packings")?;
             }
+            if let Some(all) = &self.recursive {
+                all.print(out, name, self.packings)?;
+            }
             let Some(first) = &self.first else { return Ok(()) };
-            match (self.packings, self.invalid) {
-                (1, 0) if !quiet => writeln!(out, "{name}: valid: {}", words(first)),
+            let blocks = self.recursive.as_ref().map_or(String::new(), Recursive::words);
+            match (self.packings, self.invalid + self.shallow()) {
+                (1, 0) if !quiet => writeln!(out, "{name}: valid: {}{blocks}", words(first)),
                 (packings, 0) if packings > 1 && self.error.is_none() && !quiet => {
                     let each = words(first);
                     writeln!(out, "{name}: valid: {packings} packings, the first: {each}")
@@ -177,9 +211,9 @@ impl Report {
             (None, Some((number, line, verdict))) => {
                 Some(format!("packing {number}, line {line}: {verdict}"))
             }
-            (None, None) => None,
+            (None, None) => self.recursive.as_ref().and_then(|all| all.error(self.packings)),
         };
-        output::object_text(&[
+        let mut fields = vec![
             ("file", json!(self.name)),
             ("valid", json!(self.exit() == Exit::Yes)),
             ("kind", field("kind")),
@@ -190,7 +224,11 @@ impl Report {
             ("topology", field("topology")),
             ("packings", json!(self.packings)),
             ("error", json!(error)),
-        ])
+        ];
+        if let Some(all) = &self.recursive {
+            fields.push(("recursive", json!(all.least())));
+        }
+        output::object_text(&fields)
     }
 }
 

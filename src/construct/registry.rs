@@ -55,6 +55,7 @@ pub fn names() -> &'static [(&'static str, &'static str)] {
         ("least ring", "all dominoes, any number of colors"),
         ("Eulerian circuit", "any set of dominoes that has a ring"),
         ("product of two rings", "all Wang tiles, CV^2 x CH^2"),
+        ("product of two of Wei's rings", "the same, recursive"),
         ("rotated rings", "all corner tiles, C^2 x C^2, C odd"),
         ("numbered 4x4 blocks", "all corner tiles, C^2 x C^2, C even"),
         ("raised and rotated triangular numbers", "all corner tiles, C x C^3 and C^3 x C, C odd"),
@@ -124,6 +125,30 @@ pub fn construct(
     };
     let unpacker = Unpacker::new(set.kind(), set.colors());
     Ok(Constructed { set: set.clone(), shape, name, source, unpacker, how })
+}
+
+/// As [`construct`] for all dominoes or all Wang tiles, with the rings of Wei 2004, which hold
+/// those over fewer colors: the packing is recursive, its south-west blocks are packings.
+///
+/// # Errors
+/// Why there is none; corner tiles and other sets have no such rings.
+pub fn construct_wei(set: &TileSet, shape: Shape) -> Result<Constructed, NotConstructed> {
+    let mut made = construct(set, shape, None)?;
+    let palette = set.colors().vertical();
+    made.name = match (&mut made.how, set.members()) {
+        (How::Ring(ring), Members::Complete) => {
+            let down = shape.height() > 1;
+            *ring = if down { Ring::wei_backward(palette) } else { Ring::wei(palette) };
+            "Wei's ring".to_owned()
+        }
+        (How::Wang(product), _) => {
+            *product = WangProduct::wei(set.colors());
+            "product of two of Wei's rings".to_owned()
+        }
+        _ => return Err(NotConstructed::Unknown(format!("{} tiles by Wei's ring", set.kind()))),
+    };
+    made.source = "Wei 2004, section 4.1";
+    Ok(made)
 }
 
 /// A ring of the dominoes of a set, by Hierholzer's algorithm.

@@ -72,6 +72,17 @@ impl Ring {
         Self::of(colors, (0..colors * colors).map(|p| least_color(colors, p)).collect())
     }
 
+    /// Wei's ring over `colors` colors: it begins with that over fewer.
+    pub fn wei(colors: usize) -> Self {
+        Self::of(colors, (0..colors * colors).map(wei_color).collect())
+    }
+
+    /// Wei's ring backwards: it ends with that over fewer colors, backwards.
+    pub fn wei_backward(colors: usize) -> Self {
+        let length = colors * colors;
+        Self::of(colors, (0..length).map(|p| wei_color((length - p) % length)).collect())
+    }
+
     /// A ring of all dominoes over `colors` colors, chosen by a seed.
     pub fn random(colors: usize, seed: &mut Seed) -> Self {
         match Self::of_digraph(&Digraph::complete(colors), Some(seed)) {

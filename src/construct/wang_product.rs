@@ -6,6 +6,11 @@
 //! `CH^2` high every pair of dominoes, so every tile, meets in exactly one cell, and
 //! `column = position of (W, E)`, `row = position of (N, S)`.
 //!
+//! Wei's ring for `C` colors begins with that for `C - 1`. Laid from west to east and from south
+//! to north it makes the packing recursive: the south-west block, `(CV-1)^2` wide and `(CH-1)^2`
+//! high, is the product of the two shorter rings. Read from north to south the column is the ring
+//! backwards, again a ring of all dominoes. See `verify::recursion`.
+//!
 //! Source: Wei 2004, section 4; Lagae 2007, section 5.5.2.
 
 use super::{Ring, Seed};
@@ -26,6 +31,11 @@ impl WangProduct {
         let along = Ring::choose(colors.vertical(), seed.as_mut());
         let down = Ring::choose(colors.horizontal(), seed.as_mut());
         Self { along, down }
+    }
+
+    /// The product of two of Wei's rings, which is recursive.
+    pub fn wei(colors: Colors) -> Self {
+        Self { along: Ring::wei(colors.vertical()), down: Ring::wei_backward(colors.horizontal()) }
     }
 
     /// `CV^2`.

@@ -7,6 +7,7 @@
 //! * [`Input`] opens a file and refuses what cannot be text;
 //! * [`solutions()`] reads packings from solution JSON, JSON lines and text grids;
 //! * [`read_pins`] reads cells given beforehand, [`read_tile_set`] a set of tiles;
+//! * [`read_cubes`] and [`write_cubes`] do the same for packings of cubes;
 //! * [`write_solution`], [`write_grid`] and [`write_tile_set`] are their inverses;
 //! * [`AtomicFile`] and [`check_writable`] see to it that a result is not lost;
 //! * [`Keeping`] saves a search while it runs, [`read_checkpoint`] finds it again, a [`Lock`]
@@ -20,6 +21,7 @@ mod atomic;
 mod checkpoint;
 mod claim;
 mod codec;
+mod cubes;
 mod error;
 mod frame;
 mod grid;
@@ -39,6 +41,7 @@ mod tile_set;
 pub use atomic::{AtomicFile, check_writable, write_file};
 pub use checkpoint::{Checkpoint, Opened, previous, read_checkpoint, set_aside, write_checkpoint};
 pub use claim::Claim;
+pub use cubes::{CubeSolution, holds_cubes, read_cubes, write_cubes};
 pub use error::StoreError;
 pub use grid::{write_grid, write_grid_head, write_grid_row};
 pub use job::{fingerprint, read_job, write_job};

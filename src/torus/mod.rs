@@ -4,14 +4,16 @@
 //! tiles; what neighbors share is better said once, so a [`Lattice`] holds the *labels*: one
 //! color per lattice point for corner tiles, the colors of the north and the west edge of every
 //! cell for Wang tiles, the color of the first end for dominoes. Search and symmetry work on
-//! labels, files and verification on tiles.
+//! labels, files and verification on tiles. [`Cubes`] fill a torus in space.
 
+pub mod cubes;
 pub mod lattice;
 pub mod order;
 pub mod packing;
 pub mod pins;
 pub mod shape;
 
+pub use cubes::{CubeKind, CubeSet, Cubes, MAX_CUBES, places};
 pub use lattice::Lattice;
 pub use order::Order;
 pub use packing::Packing;

@@ -78,10 +78,8 @@ fn limits_and_impossible_shapes() {
 #[test]
 fn what_the_beam_does_not_know_is_refused() {
     let place = Place::new();
-    place.write("pins.txt", "0 . . .\n. . . .\n. . . .\n. . . .\n");
     let corner = "find --kind corner --colors 2";
     for (args, complaint) in [
-        (format!("{corner} --method beam --pin pins.txt"), "--pin do not go together"),
         (format!("{corner} --method beam --automorphism 2,0:+1"), "--automorphism do not"),
         (format!("{corner} --method beam --cover --size 5x4"), "--cover do not"),
         (format!("{corner} --method beam --order column"), "--order do not"),

@@ -15,6 +15,60 @@ const KNOWN: &[(&str, &str, Option<&str>, Option<&str>)] = &[
     ("--kind domino --colors 2,3 --size 1x4", "4", None, Some("1")),
 ];
 
+/// By the theorem and, where that is possible, by search.
+#[test]
+fn rings_by_the_formula() {
+    let place = crate::Place::new();
+    // 0 and 1 hang together by one domino each way.
+    place.write(
+        "set.json",
+        r#"{"kind":"domino","tiles":[[0,0],[0,1],[1,0],[1,2],[2,1],[2,2],[1,1],[2,0],[0,2]]}"#,
+    );
+    place.write("open.json", r#"{"kind":"domino","tiles":[[0,1],[1,2]]}"#);
+    for problem in [
+        "--kind domino --colors 1",
+        "--kind domino --colors 2",
+        "--kind domino --colors 3",
+        "--kind domino --colors 4",
+        "--kind domino --colors 2,3",
+        "--kind domino --colors 2,3 --size 1x4",
+        "--kind domino --colors 3 --set pruned:0-1",
+        "--kind domino --colors 4 --set pruned:0-1,2-3",
+        "--set set.json",
+        "--set open.json",
+    ] {
+        let by = |method: &str| {
+            let run = place.run(&format!("count {problem} --method {method} --json"));
+            let (code, object) = (run.code, run.json());
+            (code, object["solutions"].clone(), object["up_to_translation"].clone())
+        };
+        assert_eq!(by("formula"), by("search"), "{problem}");
+    }
+    // (C!)^C; the search would meet 25 * 995328000.
+    let object = run("count --kind domino --colors 5 --json").exits(0).json();
+    assert_eq!(object["solutions"], "24883200000");
+    assert_eq!(object["up_to_translation"], "995328000");
+    assert_eq!(
+        (&object["method"], &object["nodes"]),
+        (&"formula (BEST theorem)".into(), &"0".into())
+    );
+    let words = run("count --kind domino --colors 6").exits(0).stdout;
+    assert!(words.contains("ring of 36 (36x1); by formula (BEST theorem): in "), "{words}");
+    let open = place.run("count --set open.json --method formula").exits(1).stdout;
+    assert!(open.starts_with("0 packings\n") && open.contains("there is no ring: "), "{open}");
+    let searched = run("count --kind domino --colors 5 --node-limit 1000 --json").exits(75).json();
+    assert_eq!(searched["method"], "search");
+    for (args, complaint) in [
+        ("count --kind wang --colors 2 --method formula", "is for dominoes, not for wang tiles"),
+        ("count --kind domino --colors 3 --method formula --plain", "--plain is for a search"),
+        ("count --kind domino --colors 3 --method formula --size 3x3", "one side must be 1"),
+        ("count --kind domino --colors 3 --method formula --size 8x1", "the set has 9 tiles"),
+    ] {
+        let run = run(args).exits(2);
+        assert!(run.stderr.contains(complaint), "{args}: {run:#?}");
+    }
+}
+
 #[test]
 fn known_numbers() {
     for &(problem, solutions, fundamental, up_to_translation) in KNOWN {

@@ -6,6 +6,7 @@
 mod corners;
 mod cubes;
 mod members;
+mod recursive;
 mod rings;
 mod shapes;
 mod wang;

@@ -3,11 +3,11 @@
 use crate::{bare, corner_2, input, written};
 use serde_json::{Value, json};
 use tilepack::store::{
-    Claim, Layout, PartResult, SearchPlan, read_pins, read_solution, read_tile_set, solutions,
-    write_grid, write_solution,
+    Claim, Layout, PartResult, SearchPlan, holds_cubes, read_cubes, read_pins, read_solution,
+    read_tile_set, solutions, write_cubes, write_grid, write_solution,
 };
 use tilepack::tiles::Kind;
-use tilepack::verify::check;
+use tilepack::verify::{check, check_cube_packing};
 
 /// The fenced blocks of a page, each with the words after its fence.
 fn examples(page: &str) -> Vec<(&str, &str)> {
@@ -46,6 +46,14 @@ fn every_example_in_the_documentation_is_read() {
                 let (lattice, set) = corner_2();
                 assert!(read_pins(&input, lattice, &set).unwrap().pinned() >= 5, "{text}");
             }
+            "json cubes" => {
+                assert!(holds_cubes(&input));
+                let cubes = read_cubes(&input).unwrap().packing;
+                assert_eq!(check_cube_packing(&cubes), Ok(()));
+                // It is written as it is shown, but for the palettes.
+                let shown = text.replace("[1, 2, 1]", "[1,2,1]");
+                assert_eq!(written(|out| write_cubes(out, &cubes, &Value::Null)), shown.as_bytes());
+            }
             "json tile-set" => {
                 assert_eq!(read_tile_set(&input, None).unwrap().set.size(), 3, "{text}");
             }
@@ -69,7 +77,7 @@ fn every_example_in_the_documentation_is_read() {
         }
         seen.push(language);
     }
-    assert_eq!(seen.len(), 17);
+    assert_eq!(seen.len(), 18);
 }
 
 #[test]

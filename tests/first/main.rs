@@ -8,7 +8,7 @@ use tilepack::beam::{self, Options, Outcome, Refusal};
 use tilepack::search::Limits;
 use tilepack::tiles::notation::parse_members;
 use tilepack::tiles::{Colors, Corner, Kind, Members, TileError, TileId, TileSet};
-use tilepack::torus::{Lattice, Shape};
+use tilepack::torus::{Lattice, Pins, Shape};
 use tilepack::verify;
 
 fn set(kind: Kind, colors: u64, members: &str) -> TileSet {
@@ -125,6 +125,74 @@ fn the_outcome_depends_on_the_seed_and_not_on_the_threads() {
     assert_eq!(one, two);
     assert_eq!(one, five);
     assert_ne!(one.labels, of(8, 1).labels);
+}
+
+/// The labels of a packing, all but some of them taken away, in either orientation.
+#[test]
+fn cells_given_beforehand_are_kept() {
+    for (colors, members, size) in [
+        (3, "complete", "9x9"),
+        (3, "compact", "9x6"),
+        (3, "compact", "6x9"),
+        (2, "complete", "4x4"),
+    ] {
+        let (set, shape): (TileSet, Shape) = (corner(colors, members), size.parse().unwrap());
+        let lattice = Lattice { kind: Kind::Corner, shape };
+        let known = beam::find(&set, shape, &options(&set, 1), &Limits::NONE).unwrap();
+        let known = known.labels.unwrap();
+        for keep in
+            [|r: usize, _: usize| r == 2, |r, c| (2..5).contains(&r) && c < 3, |_, c| c % 2 == 0]
+        {
+            let mut pins = Pins::free(lattice);
+            for (i, &color) in known.iter().enumerate() {
+                if keep(i / shape.width(), i % shape.width()) {
+                    pins.pin(i, color).unwrap();
+                }
+            }
+            let options = options(&set, 5);
+            let outcome = beam::find_around(&set, shape, Some(&pins), &options, &Limits::NONE);
+            let outcome = outcome.unwrap();
+            assert_packing(&set, shape, &outcome);
+            let labels = outcome.labels.unwrap();
+            for (label, pin) in labels.iter().zip(pins.labels()) {
+                assert!(pin.is_none_or(|pin| pin == *label), "{size}");
+            }
+        }
+        // The window of one color twice.
+        let mut pins = Pins::free(lattice);
+        for i in [0, 1, 2, shape.width(), shape.width() + 1, shape.width() + 2] {
+            pins.pin(i, 0).unwrap();
+        }
+        let refused = beam::find_around(&set, shape, Some(&pins), &options(&set, 0), &Limits::NONE);
+        assert_eq!(refused, Err(Refusal::Pins), "{size}");
+    }
+}
+
+#[test]
+fn recursive_packings() {
+    for colors in 1..=3 {
+        let (set, side) = (corner(colors, "complete"), colors * colors);
+        let shape = Shape::new(side, side).unwrap();
+        let options = options(&set, 4);
+        let outcome = beam::find_recursive(colors as usize, &options, &Limits::NONE).unwrap();
+        assert_packing(&set, shape, &outcome);
+        let packing = Lattice { kind: Kind::Corner, shape }.packing(
+            outcome.labels.as_deref().unwrap(),
+            &set,
+            false,
+        );
+        let recursion = verify::check_recursion(&packing);
+        assert_eq!((recursion.blocks.len() as u64, recursion.fault), (colors - 1, None));
+        let again = Options { threads: 3, ..options };
+        assert_eq!(beam::find_recursive(colors as usize, &again, &Limits::NONE), Ok(outcome));
+    }
+    let few = Limits { nodes: 1000, ..Limits::NONE };
+    let options = options(&corner(4, "complete"), 0);
+    assert_eq!(beam::find_recursive(4, &options, &few).unwrap().labels, None);
+    assert!(matches!(
+        beam::find_recursive(16, &Options { width: 1, ..options }, &few),
+        Ok(Outcome { labels: None, .. })
+    ));
 }
 
 #[test]
