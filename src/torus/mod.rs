@@ -6,12 +6,14 @@
 //! cell for Wang tiles, the color of the first end for dominoes. Search and symmetry work on
 //! labels, files and verification on tiles.
 
+pub mod fold;
 pub mod lattice;
 pub mod order;
 pub mod packing;
 pub mod pins;
 pub mod shape;
 
+pub use fold::Fold;
 pub use lattice::Lattice;
 pub use order::Order;
 pub use packing::Packing;
