@@ -60,6 +60,16 @@ pub fn cover(set: &TileSet, fold: &Fold, seed: u64, limits: &Limits<'_>) -> Walk
     Walk { labels: None, moves }
 }
 
+/// The orbits into which the symmetry puts the tiles: a covering under it has as many cells left to
+/// choose at least. `None` when it does not keep the set.
+pub fn orbits(set: &TileSet, fold: &Fold) -> Option<usize> {
+    classes(set, &powers(fold)).map(|(_, number)| number)
+}
+
+fn powers(fold: &Fold) -> Vec<Vec<usize>> {
+    fold.powers().iter().map(|power| power.iter().map(|&c| c.into()).collect()).collect()
+}
+
 /// The unknown cells, and what their windows show.
 struct Torus {
     colors: usize,
@@ -87,8 +97,7 @@ impl Torus {
         if !suits {
             return None;
         }
-        let powers: Vec<Vec<usize>> =
-            fold.powers().iter().map(|power| power.iter().map(|&c| c.into()).collect()).collect();
+        let powers = powers(fold);
         let (classes, number) = classes(set, &powers)?;
         if number > fold.cells() {
             return None;

@@ -13,4 +13,4 @@ pub mod cover;
 mod metropolis;
 
 pub use compact::compact_corner;
-pub use cover::{Walk, cover};
+pub use cover::{Walk, cover, orbits};

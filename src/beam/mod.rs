@@ -119,6 +119,9 @@ pub enum Refusal {
     /// Other numbers of dominoes on opposite sides: there is no packing.
     #[error("the tiles do not have the same dominoes on opposite sides: there is no packing")]
     Unbalanced,
+    /// Rows are scanned, so there must be some.
+    #[error("beam search fills row after row, and only one row is left to choose")]
+    OneRow,
     /// A covering of a set whose tiles are not given.
     #[error("beam search does not look for coverings of compact sets")]
     Compact,
@@ -144,6 +147,9 @@ pub fn find(
     let colors = set.colors().largest();
     // Rows are scanned, so they should be short.
     let fold = oriented(&Fold::none(shape, colors));
+    if fold.height() < 2 {
+        return Err(Refusal::OneRow);
+    }
     let tiles = windows(set, fold.shape() != shape);
     if set.is_compact() {
         let counts = Counts::compact(colors);
@@ -171,6 +177,9 @@ pub fn cover(
         return Err(Refusal::Compact);
     }
     let fold = oriented(fold);
+    if fold.height() < 2 {
+        return Err(Refusal::OneRow);
+    }
     let tiles = windows(set, fold.shape() != shape);
     let code = |tile: Window| tile.iter().fold(0, |i, color| i * colors + color);
     let mut allowed = vec![false; colors.pow(4)];

@@ -79,6 +79,11 @@ fn orders() -> impl TypedValueParser<Value = Order> {
     PossibleValuesParser::new(Order::ALL.map(Order::name)).try_map(|text| text.parse::<Order>())
 }
 
+fn aspect(text: &str) -> Result<f64, String> {
+    let ratio: f64 = text.parse().map_err(|_| "expected a number such as 1.5".to_owned())?;
+    if ratio >= 1.0 { Ok(ratio) } else { Err("expected a number of at least 1".to_owned()) }
+}
+
 /// Which tiles.
 #[derive(Debug, Clone, Args)]
 #[command(next_help_heading = "Problem")]
@@ -196,6 +201,10 @@ pub struct FindArgs {
     /// Partial packings that beam search keeps at every cell [default: 3000]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=200_000))]
     pub beam_width: Option<u32>,
+    /// With --cover --method anneal and no --size: the longest side is at most R times the
+    /// shortest
+    #[arg(long, value_name = "R", value_parser = aspect)]
+    pub aspect: Option<f64>,
     /// The order in which colors or tiles are tried
     #[arg(long, value_enum, default_value_t = ValueOrder::Lexicographic)]
     pub values: ValueOrder,
@@ -220,6 +229,9 @@ pub enum Method {
     Search,
     /// Beam search: unrestricted packings of corner tiles in seconds; never says there is none
     Beam,
+    /// Annealing. With --cover: coverings of corner tiles on the torus of --size, or the smallest
+    /// that is found in the time
+    Anneal,
 }
 
 /// Orders of alternatives.

@@ -5,7 +5,7 @@ use super::exit::Exit;
 use super::request::Request;
 use super::saving::Save;
 use super::session::{Done, Session};
-use super::{beam, construct, describe, output, problem};
+use super::{beam, construct, cover, describe, output, problem};
 use crate::packing::{Job, Question};
 use crate::search::Values;
 use crate::store::{Layout, check_writable, write_file, write_grid, write_solution};
@@ -23,6 +23,13 @@ pub fn run(args: &FindArgs) -> anyhow::Result<Exit> {
     beam::refuse_width(args)?;
     if args.method == Method::Beam {
         return beam::run(args);
+    }
+    cover::refuse_aspect(args)?;
+    if args.method == Method::Anneal && args.problem.cover {
+        return cover::run(args);
+    }
+    if args.method == Method::Anneal {
+        bail!("--method anneal needs --cover");
     }
     if args.method != Method::Search
         && let Some(exit) = construct::answer(args)?

@@ -49,9 +49,14 @@ Examples:
   tilepack find --kind corner --colors 2 --pin begun.txt    # a grid with . for free cells
   tilepack find --kind corner --colors 4 --method beam --seed 3
   tilepack find --kind corner --colors 6 --set pruned:0-1,2-3,4-5 --size 77x6 --method beam
+  tilepack find --kind corner --colors 5 --set pruned:0-1 --cover --method anneal --aspect 2
 
 Beam search goes on, with new random choices by --seed, until it finds a packing or a limit or \
 signal stops it; a beam that is wider succeeds more often and takes longer.
+
+Coverings by annealing (--cover --method anneal): on the torus of --size, or else the smallest \
+that is found in 10 s or --time-limit, by annealing or by beam search, and the least number of \
+cells that is proved; in JSON tiles, lower_bound, bound_reason and how.
 
 JSON fields (--json): result (found, none or stopped; unknown if --method construct knows no \
 construction), method (search, construct, argument or beam), width, height, nodes, seconds, file, \

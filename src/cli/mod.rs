@@ -2,7 +2,7 @@
 //!
 //! * [`args`] is the command line as typed, [`help`] its longer texts; [`set`] and [`problem`]
 //!   turn it into what the library wants and refuse what makes no sense.
-//! * One file a command: [`find`] (by [`construct`] or [`beam`] where they suit), [`locate`],
+//! * One file a command: [`find`] (by [`construct`], [`beam`] or [`cover`] where they suit), [`locate`],
 //!   [`count`], [`list`], [`estimate`], [`resume`], [`plan`], [`part`] (the command `run`),
 //!   [`merge`], [`cluster`] (job files), [`verify`], [`show`], [`sets`].
 //! * [`session`] runs a search with limits, [`signal`]s, [`progress`], [`eta`] (the time that is
@@ -18,6 +18,7 @@ pub mod beam;
 pub mod cluster;
 pub mod construct;
 pub mod count;
+pub mod cover;
 pub mod describe;
 pub mod draw;
 pub mod duration;

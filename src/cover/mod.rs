@@ -12,5 +12,5 @@ pub mod bound;
 pub mod folds;
 pub mod smallest;
 
-pub use bound::{Bound, bound};
+pub use bound::{Bound, NoBound, bound};
 pub use smallest::{Covering, Options, Smallest, smallest};

@@ -86,15 +86,16 @@ pub fn smallest(
     // A set that fits together at all has long been covered by then.
     let end = 4 * bound.cells + 64;
     for round in 0..options.rounds {
-        let mut size = bound.cells;
+        let (mut size, mut tried) = (bound.cells, false);
         while size < cells(&best).unwrap_or(end) && !hunt.is_over() {
             let shapes = facts.shapes(size).into_iter().filter(|&shape| hunt.suits(shape));
             let shapes: Vec<Shape> = shapes.collect();
+            tried |= !shapes.is_empty();
             let found = shapes.into_iter().find_map(|shape| hunt.attempt(shape, round));
             best = found.or(best);
             size += 1 + (size - bound.cells >> (round + 1).min(63));
         }
-        if hunt.is_over() || cells(&best) == Some(bound.cells) {
+        if hunt.is_over() || !tried {
             break;
         }
     }
