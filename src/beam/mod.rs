@@ -17,6 +17,7 @@ mod random;
 mod restarts;
 mod rule;
 pub mod score;
+mod seams;
 
 use crate::search::Limits;
 use crate::tiles::{Kind, TileSet};
@@ -125,6 +126,9 @@ pub enum Refusal {
     /// A covering of a set whose tiles are not given.
     #[error("beam search does not look for coverings of compact sets")]
     Compact,
+    /// There is no such packing.
+    #[error("the seams that the symmetry makes do not fit the tiles")]
+    Seams,
     /// The symmetry leads out of the set.
     #[error("the symmetry does not keep the set")]
     NotKept,
@@ -204,6 +208,9 @@ pub fn cover(
         return Err(Refusal::Size { shape, cells: shape.cells() as u64, tiles: needed });
     };
     let counts = counts(colors, &least, fold.powers())?;
+    if !seams::fit(&fold, &least) {
+        return Err(Refusal::Seams);
+    }
     if number == 0 {
         let rule = Once::new(colors, &tiles);
         return Ok(search(rule, &counts, fold, Excess::none(), shape, options, limits));

@@ -1,7 +1,7 @@
 //! `find --cover --method anneal`: coverings of corner sets, as small as can be had in the time.
 //!
-//! With --size that torus is annealed, under --automorphism if there is one. Without it the
-//! smallest covering is looked for, and the answer says what is proved: that no covering has
+//! With --size only that torus is looked at, under --automorphism if there is one. Without it the
+//! smallest covering is looked for, both by annealing and by beam search, and the answer says what is proved: that no covering has
 //! fewer cells than so many, and why. A set of which a tile fits nowhere has none at all.
 
 use super::args::{FindArgs, Method, ValueOrder};
@@ -10,7 +10,7 @@ use super::session::{Ended, Session};
 use super::{describe, output, problem, set};
 use crate::anneal;
 use crate::cover::bound::excluded;
-use crate::cover::{Bound, Covering, NoBound, Options, Smallest, bound, smallest};
+use crate::cover::{Bound, NoBound, Options, Smallest, on_torus, smallest};
 use crate::store::{Layout, check_writable, write_file, write_grid, write_solution};
 use crate::tiles::TileSet;
 use crate::torus::{Fold, Lattice, Packing, Shape};
@@ -21,9 +21,6 @@ use std::time::Duration;
 
 /// How long the smallest covering is looked for when no limit is given.
 const PATIENCE: Duration = Duration::from_secs(10);
-
-/// Nodes of the search that proves one shape impossible, at most.
-const NODES: u64 = 1_000_000;
 
 /// Runs the command.
 ///
@@ -100,18 +97,17 @@ fn one_torus(args: &FindArgs) -> anyhow::Result<Exit> {
             "the automorphism makes {orbits} orbits of the tiles, and each takes {each} cells"
         ));
     }
-    let seed = args.search.seed;
-    let ((least, walk), ended) = session.bounded(|_, limits| {
-        let least = bound(&task.set, NODES, limits);
-        (least, anneal::cover(&task.set, &fold, seed, limits))
+    let fold = task.automorphism.is_some().then_some(fold);
+    let (outcome, ended) = session.bounded(|threads, limits| {
+        on_torus(&task.set, task.shape, fold, &options(args, threads), limits)
     });
-    let least = least.context("--method anneal")?;
-    let how = match fold.notation() {
-        Some(symmetry) => format!("annealing (seed {seed}) under the symmetry {symmetry}"),
-        None => format!("annealing (seed {seed})"),
-    };
-    let covering = walk.labels.map(|labels| Covering { shape: task.shape, labels, how });
-    answer.give(&session, &Smallest { bound: least, covering, nodes: walk.moves }, &ended)
+    answer.give(&session, &outcome.context("--method anneal")?, &ended)
+}
+
+/// How to look; rounds end with the limits.
+fn options(args: &FindArgs, threads: usize) -> Options {
+    let aspect = args.aspect.unwrap_or(f64::INFINITY);
+    Options { seed: args.search.seed, threads, aspect, rounds: u32::MAX, ..Options::default() }
 }
 
 fn every_size(args: &FindArgs) -> anyhow::Result<Exit> {
@@ -122,15 +118,8 @@ fn every_size(args: &FindArgs) -> anyhow::Result<Exit> {
         run.time_limit = Some(PATIENCE);
     }
     let session = Session::new(&run)?;
-    let options = Options {
-        seed: args.search.seed,
-        aspect: args.aspect.unwrap_or(f64::INFINITY),
-        rounds: u32::MAX,
-        nodes_for_bound: NODES,
-        ..Options::default()
-    };
     let (outcome, ended) =
-        session.bounded(|threads, limits| smallest(&set, &Options { threads, ..options }, limits));
+        session.bounded(|threads, limits| smallest(&set, &options(args, threads), limits));
     match outcome {
         Ok(outcome) => answer.give(&session, &outcome, &ended),
         Err(why @ NoBound::Lonely { .. }) => answer.none(&why.to_string()),

@@ -54,9 +54,10 @@ Examples:
 Beam search goes on, with new random choices by --seed, until it finds a packing or a limit or \
 signal stops it; a beam that is wider succeeds more often and takes longer.
 
-Coverings by annealing (--cover --method anneal): on the torus of --size, or else the smallest \
-that is found in 10 s or --time-limit, by annealing or by beam search, and the least number of \
-cells that is proved; in JSON tiles, lower_bound, bound_reason and how.
+Coverings of corner tiles (--cover --method anneal), by annealing and by beam search, under \
+symmetries and without: on the torus of --size, or else the smallest that is found in 10 s or \
+--time-limit, and the least number of cells that is proved; in JSON tiles, lower_bound, \
+bound_reason and how.
 
 JSON fields (--json): result (found, none or stopped; unknown if --method construct knows no \
 construction), method (search, construct, argument or beam), width, height, nodes, seconds, file, \

@@ -3,7 +3,7 @@
 //! A translation of order `k` goes with a permutation of the colors of an order that divides
 //! `k` and that keeps the set. The tiles then fall into orbits, and as each takes `k` cells, few
 //! cells are lost only if nearly every orbit has `k` tiles. Permutations with the same order and
-//! number of orbits do the same, so one of them is taken, and one translation of every rectangle
+//! number of orbits mostly do the same, so few of them are taken, and one translation of every rectangle
 //! that is left to choose.
 //!
 //! Source: this project.
@@ -24,7 +24,7 @@ pub struct Permutation {
     orbits: usize,
 }
 
-/// Permutations that keep a set, one of each order and number of orbits, the highest order first.
+/// Permutations that keep a set, few of each order and number of orbits, the highest order first.
 pub fn permutations(set: &TileSet) -> Vec<Permutation> {
     let colors = set.colors().largest();
     let mut found: Vec<Permutation> = Vec::new();
@@ -50,7 +50,10 @@ pub fn permutations(set: &TileSet) -> Vec<Permutation> {
         let order = (0..colors as u8).map(|c| period([c; 4])).fold(1, lcm);
         // The sum of 1 / period over the tiles.
         let orbits = tiles.iter().map(|&tile| order / period(tile)).sum::<usize>() / order;
-        if seen.insert((order, orbits)) {
+        // Whether a color may stand beside its image decides what the seams add up to.
+        let beside =
+            (0..colors as u8).filter(|&c| allowed[code([images[usize::from(c)], c, c, c])]);
+        if seen.insert((order, orbits, beside.count())) {
             found.push(Permutation { images: images.clone(), order, orbits });
         }
     }

@@ -13,4 +13,4 @@ pub mod folds;
 pub mod smallest;
 
 pub use bound::{Bound, NoBound, bound};
-pub use smallest::{Covering, Options, Smallest, smallest};
+pub use smallest::{Covering, Options, Smallest, on_torus, smallest};

@@ -17,7 +17,7 @@ use crate::torus::{Fold, Shape};
 use crate::{anneal, beam};
 
 /// Symmetries tried on one torus.
-const FOLDS: usize = 6;
+const FOLDS: usize = 12;
 /// Partial packings that the beam keeps in the first round, and at most.
 const WIDTH: (usize, usize) = (500, 30_000);
 /// Moves of annealing for each cell in the first round.
@@ -40,7 +40,7 @@ pub struct Options {
 
 impl Default for Options {
     fn default() -> Self {
-        Self { seed: 0, threads: 1, aspect: f64::INFINITY, rounds: 6, nodes_for_bound: 1_000_000 }
+        Self { seed: 0, threads: 1, aspect: f64::INFINITY, rounds: 6, nodes_for_bound: 5_000_000 }
     }
 }
 
@@ -78,8 +78,8 @@ pub fn smallest(
 ) -> Result<Smallest, NoBound> {
     let facts = Facts::new(set)?;
     let bound = bound(set, options.nodes_for_bound, limits)?;
+    let mut hunt = Hunt { set, options, limits, nodes: bound.nodes };
     let permutations = permutations(set);
-    let mut hunt = Hunt { set, options, limits, permutations, nodes: bound.nodes };
     let met = bound.found.clone().filter(|&(shape, _)| hunt.suits(shape));
     let mut best = met.map(|(shape, labels)| Covering { shape, labels, how: "search".into() });
     let cells = |best: &Option<Covering>| best.as_ref().map(|best| best.shape.cells() as u64);
@@ -91,7 +91,9 @@ pub fn smallest(
             let shapes = facts.shapes(size).into_iter().filter(|&shape| hunt.suits(shape));
             let shapes: Vec<Shape> = shapes.collect();
             tried |= !shapes.is_empty();
-            let found = shapes.into_iter().find_map(|shape| hunt.attempt(shape, round));
+            let found = shapes
+                .into_iter()
+                .find_map(|shape| hunt.attempt(&all_folds(set, &permutations, shape), round));
             best = found.or(best);
             size += 1 + (size - bound.cells >> (round + 1).min(63));
         }
@@ -102,12 +104,46 @@ pub fn smallest(
     Ok(Smallest { bound, covering: best, nodes: hunt.nodes })
 }
 
+/// Looks for a covering of one torus, under a symmetry if one is given, else under any or none.
+///
+/// # Errors
+/// As [`smallest`].
+pub fn on_torus(
+    set: &TileSet,
+    shape: Shape,
+    fold: Option<Fold>,
+    options: &Options,
+    limits: &Limits<'_>,
+) -> Result<Smallest, NoBound> {
+    let bound = bound(set, options.nodes_for_bound, limits)?;
+    let mut hunt = Hunt { set, options, limits, nodes: 0 };
+    let folds = match fold {
+        Some(fold) => vec![fold],
+        None => all_folds(set, &permutations(set), shape),
+    };
+    let mut covering = None;
+    for round in 0..options.rounds {
+        covering = hunt.attempt(&folds, round);
+        if covering.is_some() || hunt.is_over() {
+            break;
+        }
+    }
+    Ok(Smallest { bound, covering, nodes: hunt.nodes })
+}
+
+/// The symmetries to try on a torus, and none.
+fn all_folds(set: &TileSet, permutations: &[Permutation], shape: Shape) -> Vec<Fold> {
+    let mut all = folds(permutations, shape);
+    all.truncate(FOLDS);
+    all.push(Fold::none(shape, set.colors().largest()));
+    all
+}
+
 /// What all attempts share.
 struct Hunt<'a> {
     set: &'a TileSet,
     options: &'a Options,
     limits: &'a Limits<'a>,
-    permutations: Vec<Permutation>,
     nodes: u64,
 }
 
@@ -122,11 +158,8 @@ impl Hunt<'_> {
     }
 
     /// All ways to cover one torus, with the effort of a round.
-    fn attempt(&mut self, shape: Shape, round: u32) -> Option<Covering> {
-        let mut folds = folds(&self.permutations, shape);
-        folds.truncate(FOLDS);
-        folds.push(Fold::none(shape, self.set.colors().largest()));
-        for fold in &folds {
+    fn attempt(&mut self, folds: &[Fold], round: u32) -> Option<Covering> {
+        for fold in folds {
             for way in [Self::beam, Self::anneal] {
                 if self.is_over() {
                     return None;

@@ -79,6 +79,12 @@ impl Fold {
         Self::new(shape, ((h - dy) % h, (w - dx) % w), &self.powers[1])
     }
 
+    /// Steps of the symmetry that lead east by the width, those that lead south by the height, and
+    /// the columns that the latter lead east besides.
+    pub fn seams(&self) -> (usize, usize, usize) {
+        (self.east, self.south, self.shift)
+    }
+
     /// The whole torus.
     pub fn shape(&self) -> Shape {
         self.shape
