@@ -16,7 +16,7 @@ use crate::tiles::TileSet;
 use crate::torus::{Fold, Shape};
 use crate::{anneal, beam};
 
-/// Symmetries tried on one torus.
+/// Symmetries tried on one torus, in the first round a quarter of them.
 const FOLDS: usize = 12;
 /// Partial packings that the beam keeps in the first round, and at most.
 const WIDTH: (usize, usize) = (500, 30_000);
@@ -86,18 +86,27 @@ pub fn smallest(
     // A set that fits together at all has long been covered by then.
     let end = 4 * bound.cells + 64;
     for round in 0..options.rounds {
-        let (mut size, mut tried) = (bound.cells, false);
-        while size < cells(&best).unwrap_or(end) && !hunt.is_over() {
-            let shapes = facts.shapes(size).into_iter().filter(|&shape| hunt.suits(shape));
-            let shapes: Vec<Shape> = shapes.collect();
-            tried |= !shapes.is_empty();
-            let found = shapes
-                .into_iter()
-                .find_map(|shape| hunt.attempt(&all_folds(set, &permutations, shape), round));
-            best = found.or(best);
-            size += 1 + (size - bound.cells >> (round + 1).min(63));
+        // The sizes for which there is a torus, however long its sides may be.
+        let below = cells(&best).unwrap_or(end);
+        let sizes = (bound.cells..below).map(|size| {
+            let mut shapes = facts.shapes(size);
+            shapes.retain(|&shape| hunt.suits(shape));
+            shapes
+        });
+        let sizes: Vec<Vec<Shape>> = sizes.filter(|shapes| !shapes.is_empty()).collect();
+        let mut at = 0;
+        while at < sizes.len() && !hunt.is_over() {
+            let found = sizes[at].iter().find_map(|&shape| {
+                let folds = all_folds(set, &permutations, shape, FOLDS >> (2 - round.min(2)));
+                hunt.attempt(&folds, round)
+            });
+            if found.is_some() {
+                best = found;
+                break;
+            }
+            at += 1 + (at >> (round + 1).min(63));
         }
-        if hunt.is_over() || !tried {
+        if hunt.is_over() || sizes.is_empty() {
             break;
         }
     }
@@ -119,7 +128,7 @@ pub fn on_torus(
     let mut hunt = Hunt { set, options, limits, nodes: 0 };
     let folds = match fold {
         Some(fold) => vec![fold],
-        None => all_folds(set, &permutations(set), shape),
+        None => all_folds(set, &permutations(set), shape, FOLDS),
     };
     let mut covering = None;
     for round in 0..options.rounds {
@@ -131,10 +140,10 @@ pub fn on_torus(
     Ok(Smallest { bound, covering, nodes: hunt.nodes })
 }
 
-/// The symmetries to try on a torus, and none.
-fn all_folds(set: &TileSet, permutations: &[Permutation], shape: Shape) -> Vec<Fold> {
-    let mut all = folds(permutations, shape);
-    all.truncate(FOLDS);
+/// The symmetries to try on a torus, up to so many, and none.
+fn all_folds(set: &TileSet, known: &[Permutation], shape: Shape, most: usize) -> Vec<Fold> {
+    let mut all = folds(known, shape);
+    all.truncate(most);
     all.push(Fold::none(shape, set.colors().largest()));
     all
 }
