@@ -230,7 +230,7 @@ impl Answer<'_> {
             ("stopped_by", json!((result == "stopped").then_some(ended.by))),
             ("file", json!(file.map(|file| file.to_string_lossy()))),
             ("seed", json!(self.args.search.seed)),
-            ("tiles", json!(self.set.size())),
+            ("set_size", json!(self.set.size())),
         ]
     }
 }

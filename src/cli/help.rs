@@ -56,7 +56,7 @@ signal stops it; a beam that is wider succeeds more often and takes longer.
 
 Coverings of corner tiles (--cover --method anneal), by annealing and by beam search, under \
 symmetries and without: on the torus of --size, or else the smallest that is found in 10 s or \
---time-limit, and the least number of cells that is proved; in JSON tiles, lower_bound, \
+--time-limit, and the least number of cells that is proved; in JSON set_size, lower_bound, \
 bound_reason and how.
 
 JSON fields (--json): result (found, none or stopped; unknown if --method construct knows no \

@@ -90,7 +90,8 @@ pub fn folds(permutations: &[Permutation], shape: Shape) -> Vec<Fold> {
 /// The translations of a torus whose order may be `order`.
 fn steps(shape: Shape, order: usize) -> impl Iterator<Item = (usize, usize)> {
     let (w, h) = (shape.width(), shape.height());
-    let along = move |side: usize| (0..side).filter(move |step| (step * order).is_multiple_of(side));
+    let along =
+        move |side: usize| (0..side).filter(move |step| (step * order).is_multiple_of(side));
     along(h).flat_map(move |dy| along(w).map(move |dx| (dx, dy)))
 }
 
