@@ -17,11 +17,12 @@
 //! 8. [`packing`]: the problems, their pruning, and the answers to [`packing::Task`]s.
 //! 9. [`beam`]: first packings of corner tiles by beam search.
 //! 10. [`anneal`]: packings by annealing under a symmetry.
-//! 11. [`verify`]: packings checked from the definition, by code that shares nothing with the
+//! 11. [`cover`]: coverings of pruned sets, and how small they can be.
+//! 12. [`verify`]: packings checked from the definition, by code that shares nothing with the
 //!     search.
-//! 12. [`store`]: files, whole or not at all.
-//! 13. [`cluster`]: one search in parts, on many machines.
-//! 14. [`cli`]: the command line.
+//! 13. [`store`]: files, whole or not at all.
+//! 14. [`cluster`]: one search in parts, on many machines.
+//! 15. [`cli`]: the command line.
 //!
 //! Every layer uses only those before it (the search none), so each can be read, and trusted,
 //! without the later ones.
@@ -56,6 +57,7 @@ pub mod cluster;
 pub mod compact;
 pub mod construct;
 pub mod count;
+pub mod cover;
 pub mod packing;
 pub mod search;
 pub mod store;

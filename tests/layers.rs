@@ -22,6 +22,7 @@ const LAYERS: &[(&str, &[&str])] = &[
     // Of the search only what says when to stop.
     ("beam", &["tiles", "torus", "search"]),
     ("anneal", &["tiles", "torus", "search"]),
+    ("cover", &["tiles", "torus", "search", "packing", "beam", "anneal"]),
     // Of nothing it checks: neither search nor packing nor symmetry.
     ("verify", &["tiles", "torus"]),
     ("store", &["tiles", "torus", "search", "symmetry", "packing"]),
@@ -38,6 +39,7 @@ const LAYERS: &[(&str, &[&str])] = &[
             "packing",
             "beam",
             "anneal",
+            "cover",
             "verify",
             "store",
             "cluster",

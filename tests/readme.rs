@@ -14,6 +14,7 @@ const README: &str = include_str!("../README.md");
 const PAGES: &[(&str, &str, usize)] = &[
     ("README.md", README, 10),
     ("docs/long-runs.md", include_str!("../docs/long-runs.md"), 15),
+    ("docs/coverings.md", include_str!("../docs/coverings.md"), 3),
     ("docs/packings.md", include_str!("../docs/packings.md"), 4),
 ];
 

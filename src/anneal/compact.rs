@@ -10,13 +10,11 @@
 //! Where only the height is a multiple of `C` the torus is reflected through its SW-NE
 //! diagonal. Source: this project.
 
+use super::metropolis::{Landscape, walk};
 use crate::search::Limits;
 use crate::torus::Shape;
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64;
-
-/// Moves between two looks at the limits.
-const MOVES: u32 = 1 << 14;
 
 /// What annealing came to.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -83,48 +81,16 @@ impl Quotient {
     fn anneal(mut self, seed: u64, limits: &Limits<'_>) -> Annealed {
         let mut rng = Pcg64::seed_from_u64(seed);
         let temperature = if self.colors < 8 { 0.45 } else { 0.40 };
-        let accept: Vec<f64> = (0..64).map(|rise| (-f64::from(rise) / temperature).exp()).collect();
         self.cells.iter_mut().for_each(|cell| *cell = rng.random_range(0..self.colors));
         (0..self.cells.len()).for_each(|window| self.count(window, true));
         let mut moves = 0;
-        while self.cost > 0 {
-            if moves >= limits.nodes || limits.stop.should_stop() {
-                return Annealed { labels: None, moves };
-            }
-            for _ in 0..MOVES {
-                self.change(&mut rng, &accept);
-                moves += 1;
-                if self.cost == 0 || moves >= limits.nodes {
-                    break;
-                }
-            }
+        if !walk(&mut self, temperature, &mut rng, &mut moves, limits.nodes, limits.stop) {
+            return Annealed { labels: None, moves };
         }
         let all = |row| (0..self.columns * self.colors).map(move |column| (row, column));
         let cells = (0..self.rows).flat_map(all);
         let labels = cells.map(|(row, column)| self.at(row, column) as u8).collect();
         Annealed { labels: Some(labels), moves }
-    }
-
-    /// Gives a random cell a random other color, or not.
-    fn change(&mut self, rng: &mut Pcg64, accept: &[f64]) {
-        let (cell, before) = (rng.random_range(0..self.cells.len()), self.cost);
-        let (old, by) = (self.cells[cell], rng.random_range(1..self.colors));
-        self.recolor(cell, (old + by) % self.colors);
-        let rise = self.cost - before;
-        let kept = rise <= 0 || {
-            let chance = usize::try_from(rise).ok().and_then(|rise| accept.get(rise));
-            chance.is_some_and(|&chance| rng.random::<f64>() < chance)
-        };
-        if !kept {
-            self.recolor(cell, old);
-        }
-    }
-
-    fn recolor(&mut self, cell: usize, color: usize) {
-        let (windows, number) = self.windows_at(cell);
-        windows[..number].iter().for_each(|&window| self.count(window, false));
-        self.cells[cell] = color;
-        windows[..number].iter().for_each(|&window| self.count(window, true));
     }
 
     /// The windows that show a cell, each once, and how many they are.
@@ -171,5 +137,30 @@ impl Quotient {
     fn worth(&self, class: usize, tile: usize) -> i64 {
         let (off, again) = (i64::from(self.classes[class]) - 2, i64::from(self.tiles[tile]) - 1);
         off * off + 2 * again.max(0)
+    }
+}
+
+impl Landscape for Quotient {
+    fn cells(&self) -> usize {
+        self.cells.len()
+    }
+
+    fn colors(&self) -> usize {
+        self.colors
+    }
+
+    fn color(&self, cell: usize) -> usize {
+        self.cells[cell]
+    }
+
+    fn recolor(&mut self, cell: usize, color: usize) {
+        let (windows, number) = self.windows_at(cell);
+        windows[..number].iter().for_each(|&window| self.count(window, false));
+        self.cells[cell] = color;
+        windows[..number].iter().for_each(|&window| self.count(window, true));
+    }
+
+    fn cost(&self) -> i64 {
+        self.cost
     }
 }

@@ -5,6 +5,7 @@
 //! parents and colors that are noted for every cell. Children are numbered in the order of their
 //! parents and colors and no two compare equal, so the outcome depends on the seed alone.
 
+use super::excess::Excess;
 use super::model::{At, Model};
 use super::random::{Gumbel, Random};
 use super::rule::Rule;
@@ -16,6 +17,7 @@ const ROWS: usize = 200;
 pub(super) struct Beam<'a, R> {
     pub(super) model: &'a Model<R>,
     pub(super) gumbel: &'a Gumbel,
+    pub(super) excess: &'a Excess,
     /// States kept.
     pub(super) width: usize,
     /// Colors of the first row.
@@ -48,7 +50,12 @@ impl<R: Rule> Beam<'_, R> {
         let (model, words) = (self.model, self.model.words());
         let mut random = Random::new(self.seed, number);
         let mut descent = Descent { found: None, nodes: 0, depth: 0, cut: false };
-        let Some((top, first)) = self.first_row(&mut random) else { return descent };
+        let mut start = model.start().to_vec();
+        for tile in self.excess.choose(&mut random) {
+            model.give(&mut start, tile);
+        }
+        let Some((top, first)) = self.first_row(&start, &mut random) else { return descent };
+        let under = model.under(&top);
         descent.depth = top.len();
         let mut level = Level { states: first, scores: vec![0] };
         let mut next = Level { states: Vec::new(), scores: Vec::new() };
@@ -62,7 +69,7 @@ impl<R: Rule> Beam<'_, R> {
                 keys.clear();
                 for (parent, state) in level.states.chunks_exact(words).enumerate() {
                     let before = level.scores[parent];
-                    model.choices(state, &top, at, &mut scratch, |color, change| {
+                    model.choices(state, &under, at, &mut scratch, |color, change| {
                         let score = before + change;
                         keys.push(key(score + self.gumbel.next(&mut random), children.len()));
                         children.push((parent as u32, color as u8, score));
@@ -81,7 +88,7 @@ impl<R: Rule> Beam<'_, R> {
                     let (parent, color, score) = children[number_of(key)];
                     let (from, to) = (parent as usize * words, next.states.len());
                     next.states.extend_from_slice(&level.states[from..from + words]);
-                    let placed = model.place(&mut next.states[to..], &top, at, color.into());
+                    let placed = model.place(&mut next.states[to..], &under, at, color.into());
                     debug_assert_eq!(
                         placed.map(|change| change + level.scores[parent as usize]),
                         Some(score)
@@ -103,7 +110,7 @@ impl<R: Rule> Beam<'_, R> {
 
     /// A random first row over a few colors, or over all where a few do not suffice, and the
     /// state after it.
-    fn first_row(&self, random: &mut Random) -> Option<(Vec<u8>, Vec<u16>)> {
+    fn first_row(&self, start: &[u16], random: &mut Random) -> Option<(Vec<u8>, Vec<u16>)> {
         let model = self.model;
         for attempt in 0..2 * ROWS {
             let size = if attempt < ROWS { self.palette.min(model.colors) } else { model.colors };
@@ -111,7 +118,7 @@ impl<R: Rule> Beam<'_, R> {
             for i in 0..size {
                 palette.swap(i, i + random.below(model.colors - i));
             }
-            let (mut row, mut state) = (Vec::new(), model.start().to_vec());
+            let (mut row, mut state) = (Vec::new(), start.to_vec());
             for column in 0..model.width {
                 let mut tried = state.clone();
                 let given = model.given(At { row: 0, column });

@@ -79,11 +79,6 @@ impl Frame {
         Some(Self { places, width, height, pins: pins.to_vec() })
     }
 
-    /// Width and height of the scan.
-    pub(super) fn sides(&self) -> (usize, usize) {
-        (self.width, self.height)
-    }
-
     /// What is given, in the order of the scan.
     pub(super) fn given(&self) -> Given {
         let colors = match self.pins.is_empty() {

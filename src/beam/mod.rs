@@ -11,6 +11,7 @@
 //! (Bollobás 1980).
 
 mod descent;
+mod excess;
 mod given;
 mod model;
 mod random;
@@ -18,17 +19,19 @@ mod recursive;
 mod restarts;
 mod rule;
 pub mod score;
+mod seams;
 
 pub use recursive::find_recursive;
 
 use crate::search::Limits;
 use crate::tiles::{Kind, TileSet};
-use crate::torus::{Pins, Shape};
+use crate::torus::{Fold, Pins, Shape};
 use descent::Beam;
+use excess::Excess;
 use given::Frame;
-use model::{Counts, Model};
+use model::{Counts, Model, each_image};
 use random::Gumbel;
-use rule::{Compact, Once, Rule, Window};
+use rule::{Compact, Once, Rule, Times, Window};
 use score::{Logarithms, Weights};
 
 /// The widest beam.
@@ -51,6 +54,8 @@ pub struct Options {
     pub palette: usize,
     /// Weights of the score.
     pub weights: Weights,
+    /// Descents at most.
+    pub restarts: u64,
     /// Everything random follows from it.
     pub seed: u64,
     /// Threads, at least 1; the answer does not depend on them.
@@ -66,6 +71,7 @@ impl Options {
             tau: 0.25,
             palette: 2,
             weights: Weights { tiles: 1.0, dominoes: 0.65, colors: 0.2, triples },
+            restarts: u64::MAX,
             seed: 0,
             threads: 1,
         }
@@ -75,7 +81,8 @@ impl Options {
 /// What the search came to.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Outcome {
-    /// The labels of a packing, as in [`crate::torus::Lattice`]; `None` when it was stopped.
+    /// The labels of a packing, as in [`crate::torus::Lattice`]; `None` when it was stopped or
+    /// there were no restarts left.
     pub labels: Option<Vec<u8>>,
     /// The restart that found it, from 0, or the number of restarts that ended without.
     pub restart: u64,
@@ -121,6 +128,18 @@ pub enum Refusal {
     /// The cells given beforehand are not those of the torus, or use a tile twice.
     #[error("the cells given beforehand use a tile twice, or more of a color than there is")]
     Pins,
+    /// Rows are scanned, so there must be some.
+    #[error("beam search fills row after row, and only one row is left to choose")]
+    OneRow,
+    /// A covering of a set whose tiles are not given.
+    #[error("beam search does not look for coverings of compact sets")]
+    Compact,
+    /// There is no such packing.
+    #[error("the seams that the symmetry makes do not fit the tiles")]
+    Seams,
+    /// The symmetry leads out of the set.
+    #[error("the symmetry does not keep the set")]
+    NotKept,
 }
 
 /// Looks for a packing of a corner set until it is found or the limits say stop.
@@ -147,12 +166,92 @@ pub fn find_around(
     options: &Options,
     limits: &Limits<'_>,
 ) -> Result<Outcome, Refusal> {
+    check(set, shape, options)?;
+    if shape.cells() as u64 != set.size() {
+        return Err(Refusal::Size { shape, cells: shape.cells() as u64, tiles: set.size() });
+    }
+    let colors = set.colors().largest();
+    // Rows are scanned, so they should be short.
+    let fold = oriented(&Fold::none(shape, colors));
+    if fold.height() < 2 {
+        return Err(Refusal::OneRow);
+    }
+    let turned = fold.shape() != shape;
+    let frame = Frame::new(shape, turned, pins).ok_or(Refusal::Pins)?;
+    let tiles = windows(set, turned);
+    let torus = Torus { fold, frame };
+    if set.is_compact() {
+        let counts = Counts::compact(colors);
+        let (rule, none) = (Compact::new(colors), Excess::none());
+        return search(rule, &counts, &torus, none, options, limits);
+    }
+    let counts = counts(colors, &tiles, torus.fold.powers())?;
+    search(Once::new(colors, &tiles), &counts, &torus, Excess::none(), options, limits)
+}
+
+/// Looks for a covering of a corner set under a symmetry, or [`Fold::none`], until it is found or
+/// the limits say stop. Every restart has another balanced choice of tiles to be used again.
+///
+/// # Errors
+/// When the set, the torus, the symmetry or the width of the beam do not suit.
+pub fn cover(
+    set: &TileSet,
+    fold: &Fold,
+    options: &Options,
+    limits: &Limits<'_>,
+) -> Result<Outcome, Refusal> {
+    let (colors, shape) = (set.colors().largest(), fold.shape());
+    check(set, shape, options)?;
+    if set.is_compact() {
+        return Err(Refusal::Compact);
+    }
+    let fold = oriented(fold);
+    if fold.height() < 2 {
+        return Err(Refusal::OneRow);
+    }
+    let turned = fold.shape() != shape;
+    let tiles = windows(set, turned);
+    let code = |tile: Window| tile.iter().fold(0, |i, color| i * colors + color);
+    let mut allowed = vec![false; colors.pow(4)];
+    tiles.iter().for_each(|&tile| allowed[code(tile)] = true);
+    // One tile of every orbit.
+    let (mut least, mut kept) = (Vec::new(), true);
+    for &tile in &tiles {
+        let mut first = true;
+        each_image(fold.powers(), tile, |image| {
+            kept &= allowed[code(image)];
+            first &= code(image) >= code(tile);
+        });
+        if first {
+            least.push(tile);
+        }
+    }
+    if !kept || fold.powers()[0].len() != colors {
+        return Err(Refusal::NotKept);
+    }
+    let Some(number) = fold.cells().checked_sub(least.len()) else {
+        let needed = (least.len() * fold.powers().len()) as u64;
+        return Err(Refusal::Size { shape, cells: shape.cells() as u64, tiles: needed });
+    };
+    let counts = counts(colors, &least, fold.powers())?;
+    if !seams::fit(&fold, &least) {
+        return Err(Refusal::Seams);
+    }
+    let frame = Frame::new(shape, turned, None).ok_or(Refusal::Pins)?;
+    let torus = Torus { fold, frame };
+    if number == 0 {
+        let rule = Once::new(colors, &tiles);
+        return search(rule, &counts, &torus, Excess::none(), options, limits);
+    }
+    let sizes = vec![(1, 1), (2, 1), (1, 2)];
+    let excess = Excess { number, allowed, colors, sizes };
+    search(Times::new(colors, &tiles), &counts, &torus, excess, options, limits)
+}
+
+fn check(set: &TileSet, shape: Shape, options: &Options) -> Result<(), Refusal> {
     let (colors, cells) = (set.colors().largest(), shape.cells());
     if set.kind() != Kind::Corner {
         return Err(Refusal::Kind(set.kind()));
-    }
-    if cells as u64 != set.size() {
-        return Err(Refusal::Size { shape, cells: cells as u64, tiles: set.size() });
     }
     if colors > MAX_BEAM_COLORS || cells > MAX_BEAM_CELLS {
         return Err(Refusal::TooLarge { colors, cells });
@@ -160,34 +259,40 @@ pub fn find_around(
     if !(1..=MAX_WIDTH).contains(&options.width) {
         return Err(Refusal::Width(options.width));
     }
-    // Rows are scanned, so they should be short.
-    let turned = shape.width() > shape.height();
-    let tiles = windows(set, turned);
-    let counts = counts(set, &tiles)?;
-    let frame = Frame::new(shape, turned, pins).ok_or(Refusal::Pins)?;
-    if set.is_compact() {
-        search(Compact::new(colors), &counts, &frame, options, limits)
-    } else {
-        search(Once::new(colors, &tiles), &counts, &frame, options, limits)
-    }
+    Ok(())
+}
+
+/// The fold or its mirror image, whichever has the shorter rows.
+fn oriented(fold: &Fold) -> Fold {
+    let turned = fold.turned().filter(|turned| turned.width() < fold.width());
+    turned.unwrap_or_else(|| fold.clone())
+}
+
+/// What is scanned: the cells to choose, and where they and their images lie. Cells are given
+/// beforehand only where there is no symmetry.
+struct Torus {
+    fold: Fold,
+    frame: Frame,
 }
 
 fn search<R: Rule>(
     rule: R,
     counts: &Counts,
-    frame: &Frame,
+    torus: &Torus,
+    excess: Excess,
     options: &Options,
     limits: &Limits<'_>,
 ) -> Result<Outcome, Refusal> {
-    let (sides, given) = (frame.sides(), frame.given());
-    let logs = Logarithms::new(options.weights, sides.0 * sides.1);
-    let model = Model::new(sides, counts, rule, logs, given).ok_or(Refusal::Pins)?;
+    let Torus { fold, frame } = torus;
+    let logs = Logarithms::new(options.weights, fold.cells());
+    let model = Model::new(fold.clone(), counts, rule, logs, frame.given()).ok_or(Refusal::Pins)?;
     let gumbel = Gumbel::new(options.tau);
     let Options { width, palette, seed, .. } = *options;
-    let beam = Beam { model: &model, gumbel: &gumbel, width, palette: palette.max(1), seed };
-    let run = restarts::run(&beam, options.threads.max(1), limits);
+    let palette = palette.max(1);
+    let beam = Beam { model: &model, gumbel: &gumbel, excess: &excess, width, palette, seed };
+    let run = restarts::run(&beam, options.restarts, options.threads.max(1), limits);
     let (restart, labels) = match run.found {
-        Some((number, cells)) => (number, Some(frame.restore(&cells))),
+        Some((number, cells)) => (number, Some(frame.restore(&fold.unfold(&cells)))),
         None => (run.ended, None),
     };
     Ok(Outcome { labels, restart, nodes: run.nodes, depth: run.depth })
@@ -203,21 +308,15 @@ fn windows(set: &TileSet, turned: bool) -> Vec<Window> {
     set.allowed().map(window).collect()
 }
 
-/// How many dominoes and colors there are to place.
-fn counts(set: &TileSet, tiles: &[Window]) -> Result<Counts, Refusal> {
-    let colors = set.colors().largest();
-    if set.is_compact() {
-        let pairs = vec![2 * colors as u16; colors * colors];
-        let cells = vec![2 * (colors * colors) as u16; colors];
-        return Ok(Counts { across: pairs.clone(), down: pairs, cells });
-    }
+/// How many dominoes and colors there are to place; under a symmetry how many orbits of them.
+fn counts(colors: usize, tiles: &[Window], powers: &[Vec<u8>]) -> Result<Counts, Refusal> {
     let mut sides = [(); 4].map(|()| vec![0; colors * colors]);
     let mut cells = vec![0; colors];
     for &[nw, ne, sw, se] in tiles {
-        for (side, (a, b)) in sides.iter_mut().zip([(nw, ne), (sw, se), (nw, sw), (ne, se)]) {
-            side[a * colors + b] += 1;
+        for (side, domino) in sides.iter_mut().zip([[nw, ne], [sw, se], [nw, sw], [ne, se]]) {
+            each_image(powers, domino, |[a, b]| side[a * colors + b] += 1);
         }
-        cells[nw] += 1;
+        each_image(powers, [nw], |[color]| cells[color] += 1);
     }
     let [north, south, west, east] = sides;
     if north != south || west != east {

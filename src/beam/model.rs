@@ -8,11 +8,15 @@
 //! one of the last row those with the first row, which is the same in all states of a beam. What
 //! cells given beforehand decide among themselves is decided at the start.
 //!
+//! Under a symmetry the torus is a [`Fold`]: its seams replace colors, and with a domino or a tile
+//! all its images are used up. Counts are then of orbits, and stand with every image.
+//!
 //! Source: this project (search.md 6).
 
 use super::given::{Given, around};
 use super::rule::{Rule, Window};
 use super::score::Logarithms;
+use crate::torus::Fold;
 
 /// A place to fill.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -45,6 +49,9 @@ pub(super) struct Model<R> {
     layout: Layout,
     start: Vec<u16>,
     given: Given,
+    fold: Fold,
+    /// What the seam in the east makes of a color.
+    east: Vec<usize>,
 }
 
 /// How many tiles and cells there are, before any is placed.
@@ -57,14 +64,29 @@ pub(super) struct Counts {
     pub(super) cells: Vec<u16>,
 }
 
+impl Counts {
+    /// Those of a compact set.
+    pub(super) fn compact(colors: usize) -> Self {
+        let pairs = vec![2 * colors as u16; colors * colors];
+        let cells = vec![2 * (colors * colors) as u16; colors];
+        Self { across: pairs.clone(), down: pairs, cells }
+    }
+}
+
 impl<R: Rule> Model<R> {
     pub(super) fn new(
-        (width, height): (usize, usize),
+        fold: Fold,
         counts: &Counts,
         rule: R,
         logs: Logarithms,
         given: Given,
     ) -> Option<Self> {
+        let (width, height) = (fold.width(), fold.height());
+        let east = (0..counts.cells.len()).map(|color| {
+            let (_, steps) = fold.locate(0, width);
+            usize::from(fold.powers()[steps][color])
+        });
+        let east = east.collect();
         let colors = counts.cells.len();
         let pairs = colors * colors;
         let (across, down) = (&counts.across, &counts.down);
@@ -83,7 +105,8 @@ impl<R: Rule> Model<R> {
             rule: start.len(),
         };
         start.extend(rule.start());
-        let mut model = Self { colors, width, height, logs, rule, layout, start, given };
+        let mut model =
+            Self { colors, width, height, logs, rule, layout, start, given, fold, east };
         model.start = model.spend_given()?;
         Some(model)
     }
@@ -98,13 +121,12 @@ impl<R: Rule> Model<R> {
         for row in 0..self.height {
             for column in 0..self.width {
                 let Some(nw) = color(row, column) else { continue };
-                let (ne, sw) = (color(row, column + 1), color(row + 1, column));
-                self.spend(&mut state, cells + nw, &self.logs.colors)?;
-                if let Some(ne) = ne {
-                    self.spend(&mut state, across + nw * self.colors + ne, &self.logs.dominoes)?;
+                self.spend(&mut state, cells, [nw], &self.logs.colors)?;
+                if let Some(ne) = color(row, column + 1) {
+                    self.spend(&mut state, across, [nw, ne], &self.logs.dominoes)?;
                 }
-                if let Some(sw) = sw {
-                    self.spend(&mut state, down + nw * self.colors + sw, &self.logs.dominoes)?;
+                if let Some(sw) = color(row + 1, column) {
+                    self.spend(&mut state, down, [nw, sw], &self.logs.dominoes)?;
                 }
             }
         }
@@ -117,6 +139,31 @@ impl<R: Rule> Model<R> {
             }
         }
         Some(state)
+    }
+
+    /// The row south of the last, one cell further than the first is wide.
+    pub(super) fn under(&self, first: &[u8]) -> Vec<usize> {
+        let color = |column| usize::from(self.fold.color(first, self.height, column));
+        (0..=self.width).map(color).collect()
+    }
+
+    /// Adds a tile to those to be used, and the dominoes and the cell that it needs.
+    pub(super) fn give(&self, state: &mut [u16], [nw, ne, sw, se]: Window) {
+        let Layout { south, west, east, across, down, cells, rule, .. } = self.layout;
+        let n = self.colors;
+        for (begin, a, b) in [
+            (0, nw, ne),
+            (across, nw, ne),
+            (south, sw, se),
+            (west, nw, sw),
+            (down, nw, sw),
+            (east, ne, se),
+        ] {
+            each_image(self.fold.powers(), [a, b], |[a, b]| state[begin + a * n + b] += 1);
+        }
+        each_image(self.fold.powers(), [nw], |[nw]| state[cells + nw] += 1);
+        let words = &mut state[rule..];
+        each_image(self.fold.powers(), [nw, ne, sw, se], |tile| self.rule.give(words, tile));
     }
 
     /// Nothing placed.
@@ -135,8 +182,14 @@ impl<R: Rule> Model<R> {
     }
 
     /// Fills a cell and gives the change of the score, or `None` when that is not possible; the
-    /// state is then spoiled. `top` is the first row, as far as it is needed.
-    pub(super) fn place(&self, state: &mut [u16], top: &[u8], at: At, color: usize) -> Option<i64> {
+    /// state is then spoiled. `under` is the row south of the last, as far as it is needed.
+    pub(super) fn place(
+        &self,
+        state: &mut [u16],
+        under: &[usize],
+        at: At,
+        color: usize,
+    ) -> Option<i64> {
         let Layout { across, down, cells, line, .. } = self.layout;
         let (nw, first) = (line + self.width, line + self.width + 1);
         let (last_column, last_row) = (at.column + 1 == self.width, at.row + 1 == self.height);
@@ -147,56 +200,61 @@ impl<R: Rule> Model<R> {
         let (row, column) = (at.row, at.column);
         let mut score = 0;
         if open(&[(row, column)]) {
-            score += self.spend(state, cells + color, &self.logs.colors)?;
+            score += self.spend(state, cells, [color], &self.logs.colors)?;
         }
 
         state[nw] = north as u16;
         if column == 0 {
             state[first] = north as u16;
         } else if open(&[(row, column - 1), (row, column)]) {
-            score += self.spend(state, across + west * self.colors + color, &self.logs.dominoes)?;
+            score += self.spend(state, across, [west, color], &self.logs.dominoes)?;
         }
         state[line + at.column] = color as u16;
-        let start = usize::from(state[line]);
+        let start = self.east[usize::from(state[line])];
         if last_column && open(&[(row, column), (row, 0)]) {
-            score +=
-                self.spend(state, across + color * self.colors + start, &self.logs.dominoes)?;
+            score += self.spend(state, across, [color, start], &self.logs.dominoes)?;
         }
         if row > 0 {
             if open(&[(row - 1, column), (row, column)]) {
-                score +=
-                    self.spend(state, down + north * self.colors + color, &self.logs.dominoes)?;
+                score += self.spend(state, down, [north, color], &self.logs.dominoes)?;
             }
             if column > 0 && open(&around(row - 1, column - 1)) {
                 score += self.complete(state, [north_west, north, west, color])?;
             }
             if last_column && open(&around(row - 1, column)) {
-                let above = usize::from(state[first]);
+                let above = self.east[usize::from(state[first])];
                 score += self.complete(state, [north, above, color, start])?;
             }
         }
         if last_row {
-            let below = |column: usize| usize::from(top[column]);
-            let south = below(at.column);
+            let south = under[at.column];
             if open(&[(row, column), (row + 1, column)]) {
-                score +=
-                    self.spend(state, down + color * self.colors + south, &self.logs.dominoes)?;
+                score += self.spend(state, down, [color, south], &self.logs.dominoes)?;
             }
             if column > 0 && open(&around(row, column - 1)) {
-                score += self.complete(state, [west, color, below(column - 1), south])?;
+                score += self.complete(state, [west, color, under[at.column - 1], south])?;
             }
             if last_column && open(&around(row, column)) {
-                score += self.complete(state, [color, start, south, below(0)])?;
+                score += self.complete(state, [color, start, south, under[at.column + 1]])?;
             }
         }
         Some(score)
     }
 
-    /// Takes one off a count.
+    /// Takes one off the counts, from `begin` on, of what shows these colors and its images.
     #[inline(always)]
-    fn spend(&self, state: &mut [u16], index: usize, logs: &[i64]) -> Option<i64> {
-        let count = state[index];
-        state[index] = count.checked_sub(1)?;
+    fn spend<const N: usize>(
+        &self,
+        state: &mut [u16],
+        begin: usize,
+        shown: [usize; N],
+        logs: &[i64],
+    ) -> Option<i64> {
+        let index = |shown: [usize; N]| begin + shown.iter().fold(0, |i, c| i * self.colors + c);
+        let count = state[index(shown)];
+        let less = count.checked_sub(1)?;
+        // All images have one count.
+        each_image(self.fold.powers(), shown, |image| state[index(image)] = less);
         Some(logs[usize::from(count)])
     }
 
@@ -208,11 +266,11 @@ impl<R: Rule> Model<R> {
             return None;
         }
         let mut score = if self.rule.fresh(words, window) { self.logs.fresh } else { 0 };
-        self.rule.take(words, window);
-        let pair = |a: usize, b: usize| a * self.colors + b;
-        for index in [pair(nw, ne), south + pair(sw, se), west + pair(nw, sw), east + pair(ne, se)]
+        each_image(self.fold.powers(), window, |image| self.rule.take(words, image));
+        for (begin, domino) in
+            [(0, [nw, ne]), (south, [sw, se]), (west, [nw, sw]), (east, [ne, se])]
         {
-            score += self.spend(counts, index, &self.logs.tiles)?;
+            score += self.spend(counts, begin, domino, &self.logs.tiles)?;
         }
         Some(score)
     }
@@ -222,7 +280,7 @@ impl<R: Rule> Model<R> {
     pub(super) fn choices(
         &self,
         state: &[u16],
-        top: &[u8],
+        under: &[usize],
         at: At,
         scratch: &mut Vec<u16>,
         mut each: impl FnMut(usize, i64),
@@ -230,7 +288,7 @@ impl<R: Rule> Model<R> {
         if let Some(color) = self.given.color(at.row, at.column) {
             scratch.clear();
             scratch.extend_from_slice(state);
-            if let Some(change) = self.place(scratch, top, at, color) {
+            if let Some(change) = self.place(scratch, under, at, color) {
                 each(color, change);
             }
             return;
@@ -240,7 +298,7 @@ impl<R: Rule> Model<R> {
             for color in 0..self.colors {
                 scratch.clear();
                 scratch.extend_from_slice(state);
-                if let Some(change) = self.place(scratch, top, at, color) {
+                if let Some(change) = self.place(scratch, under, at, color) {
                     each(color, change);
                 }
             }
@@ -274,5 +332,22 @@ impl<R: Rule> Model<R> {
             let dominoes = self.logs.dominoes[usize::from(h)] + self.logs.dominoes[usize::from(v)];
             each(color, given + tiles + dominoes + self.logs.colors[usize::from(c)] + fresh);
         }
+    }
+}
+
+/// Every image of what shows these colors, once.
+#[inline(always)]
+pub(super) fn each_image<const N: usize>(
+    powers: &[Vec<u8>],
+    shown: [usize; N],
+    mut each: impl FnMut([usize; N]),
+) {
+    each(shown);
+    for power in &powers[1..] {
+        let image = shown.map(|color| usize::from(power[color]));
+        if image == shown {
+            break;
+        }
+        each(image);
     }
 }

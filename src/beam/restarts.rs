@@ -33,8 +33,13 @@ struct Shared {
     ended: Mutex<Vec<(u64, Descent)>>,
 }
 
-/// Descends until a packing is found or the limits say stop.
-pub(super) fn run<R: Rule>(beam: &Beam<'_, R>, threads: usize, limits: &Limits<'_>) -> Run {
+/// Descends until a packing is found, `most` times have been in vain or the limits say stop.
+pub(super) fn run<R: Rule>(
+    beam: &Beam<'_, R>,
+    most: u64,
+    threads: usize,
+    limits: &Limits<'_>,
+) -> Run {
     let shared = Shared {
         next: AtomicU64::new(0),
         lowest: AtomicU64::new(u64::MAX),
@@ -44,9 +49,9 @@ pub(super) fn run<R: Rule>(beam: &Beam<'_, R>, threads: usize, limits: &Limits<'
     };
     std::thread::scope(|scope| {
         for _ in 1..threads {
-            scope.spawn(|| work(beam, &shared, limits));
+            scope.spawn(|| work(beam, most, &shared, limits));
         }
-        work(beam, &shared, limits);
+        work(beam, most, &shared, limits);
     });
     let mut descents = shared.ended.into_inner().unwrap_or_else(|poison| poison.into_inner());
     let lowest = shared.lowest.into_inner();
@@ -62,7 +67,7 @@ pub(super) fn run<R: Rule>(beam: &Beam<'_, R>, threads: usize, limits: &Limits<'
     }
 }
 
-fn work<R: Rule>(beam: &Beam<'_, R>, shared: &Shared, limits: &Limits<'_>) {
+fn work<R: Rule>(beam: &Beam<'_, R>, most: u64, shared: &Shared, limits: &Limits<'_>) {
     loop {
         let number = shared.next.fetch_add(1, Ordering::Relaxed);
         let mut known = 0;
@@ -77,7 +82,7 @@ fn work<R: Rule>(beam: &Beam<'_, R>, shared: &Shared, limits: &Limits<'_>) {
             }
             stop || shared.lowest.load(Ordering::Relaxed) < number
         };
-        if stopped(0, &mut known) {
+        if number >= most || stopped(0, &mut known) {
             return;
         }
         let descent = beam.descend(number, |nodes| stopped(nodes, &mut known));

@@ -85,6 +85,11 @@ fn orders() -> impl TypedValueParser<Value = Order> {
     PossibleValuesParser::new(Order::ALL.map(Order::name)).try_map(|text| text.parse::<Order>())
 }
 
+fn aspect(text: &str) -> Result<f64, String> {
+    let ratio: f64 = text.parse().map_err(|_| "expected a number such as 1.5".to_owned())?;
+    if ratio >= 1.0 { Ok(ratio) } else { Err("expected a number of at least 1".to_owned()) }
+}
+
 /// Which tiles.
 #[derive(Debug, Clone, Args)]
 #[command(next_help_heading = "Problem")]
@@ -209,6 +214,10 @@ pub struct FindArgs {
     /// south-west, built up from two colors by beam search
     #[arg(long)]
     pub recursive: bool,
+    /// With --cover --method anneal and no --size: the longest side is at most R times the
+    /// shortest
+    #[arg(long, value_name = "R", value_parser = aspect)]
+    pub aspect: Option<f64>,
     /// The order in which colors or tiles are tried
     #[arg(long, value_enum, default_value_t = ValueOrder::Lexicographic)]
     pub values: ValueOrder,
@@ -231,11 +240,12 @@ pub enum Method {
     Construct,
     /// Exhaustive search
     Search,
-    /// Annealing: compact corner sets on tori with a side that is a multiple of the colors;
-    /// never says there is none
-    Anneal,
     /// Beam search: unrestricted packings of corner tiles in seconds; never says there is none
     Beam,
+    /// Annealing: compact corner sets on tori with a side that is a multiple of the colors. With
+    /// --cover: coverings of corner tiles on the torus of --size, or the smallest that is found
+    /// in the time. Never says there is none
+    Anneal,
 }
 
 /// Orders of alternatives.

@@ -7,7 +7,7 @@ use super::request::Request;
 use super::ring::RingOrder;
 use super::saving::Save;
 use super::session::{Done, Session};
-use super::{anneal, beam, construct, describe, output, problem, ring};
+use super::{anneal, beam, construct, cover, describe, output, problem, ring};
 use crate::packing::{Job, Question};
 use crate::search::Values;
 use crate::store::{Layout, check_writable, write_file, write_grid, write_solution};
@@ -28,11 +28,13 @@ pub fn run(args: &FindArgs) -> anyhow::Result<Exit> {
     if args.recursive {
         return beam::run(args);
     }
+    cover::refuse_aspect(args)?;
     if args.ring != RingOrder::Least {
         return construct::run(args);
     }
     match args.method {
         Method::Beam => beam::run(args),
+        Method::Anneal if args.problem.cover => cover::run(args),
         Method::Anneal => anneal::run(args, None),
         Method::Construct => construct::run(args),
         Method::Search => search(args, None),

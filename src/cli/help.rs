@@ -55,11 +55,17 @@ Examples:
   tilepack find --kind corner --colors 4 --recursive --seed 24 -o recursive.json
   tilepack find --kind corner --colors 4 --method beam --seed 3
   tilepack find --kind corner --colors 6 --set pruned:0-1,2-3,4-5 --size 77x6 --method beam
+  tilepack find --kind corner --colors 5 --set pruned:0-1 --cover --method anneal --aspect 2
 
 Beam search goes on, with new random choices by --seed, until it finds a packing or a limit or \
 signal stops it; a beam that is wider succeeds more often and takes longer. --recursive begins \
 with the packing over two colors and searches, one color after the other, the packing around the \
 one before; it runs on one thread.
+
+Coverings of corner tiles (--cover --method anneal), by annealing and by beam search, under \
+symmetries and without: on the torus of --size, or else the smallest that is found in 10 s or \
+--time-limit, and the least number of cells that is proved; in JSON set_size, lower_bound, \
+bound_reason and how.
 
 JSON fields (--json): result (found, none or stopped; unknown if --method construct knows no \
 construction), method (search, construct, anneal, argument or beam), why (this method, when \

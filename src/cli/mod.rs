@@ -2,9 +2,10 @@
 //!
 //! * [`args`] is the command line as typed, [`help`] its longer texts; [`set`] and [`problem`]
 //!   turn it into what the library wants and refuse what makes no sense.
-//! * One file a command: [`find`] (by [`construct`] or [`beam`] where they suit), [`locate`],
-//!   [`count`] (also by [`formula`]), [`list`], [`estimate`], [`resume`], [`plan`], [`part`] (the command `run`),
-//!   [`merge`], [`cluster`] (job files), [`verify`] (with [`recursive`]), [`show`], [`sets`], [`cube`]; [`ring`] is the option
+//! * One file a command: [`find`] (by [`construct`], [`anneal`], [`beam`] or [`cover`], whichever it
+//!   is told to or [`choose`]s), [`locate`], [`count`] (also by [`formula`]), [`list`],
+//!   [`estimate`], [`resume`], [`plan`], [`part`] (the command `run`), [`merge`], [`cluster`] (job
+//!   files), [`verify`] (with [`recursive`]), [`show`], [`sets`], [`cube`]; [`ring`] is the option
 //!   `--ring` of two of them.
 //! * [`session`] runs a search with limits, [`signal`]s, [`progress`], [`eta`] (the time that is
 //!   left) and [`status`]; [`saving`] keeps it in a checkpoint, along with the [`request`] that
@@ -21,6 +22,7 @@ pub mod choose;
 pub mod cluster;
 pub mod construct;
 pub mod count;
+pub mod cover;
 pub mod cube;
 pub mod describe;
 pub mod draw;

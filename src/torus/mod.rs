@@ -7,6 +7,7 @@
 //! labels, files and verification on tiles. [`Cubes`] fill a torus in space.
 
 pub mod cubes;
+pub mod fold;
 pub mod lattice;
 pub mod order;
 pub mod packing;
@@ -14,6 +15,7 @@ pub mod pins;
 pub mod shape;
 
 pub use cubes::{CubeKind, CubeSet, Cubes, MAX_CUBES, places};
+pub use fold::Fold;
 pub use lattice::Lattice;
 pub use order::Order;
 pub use packing::Packing;

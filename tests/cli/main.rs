@@ -8,6 +8,7 @@ mod bad_input;
 mod beam;
 mod construct;
 mod count;
+mod cover;
 mod cube;
 mod estimate;
 mod files;
