@@ -151,9 +151,6 @@ pub fn find(
     let colors = set.colors().largest();
     // Rows are scanned, so they should be short.
     let fold = oriented(&Fold::none(shape, colors));
-    if fold.height() < 2 {
-        return Err(Refusal::OneRow);
-    }
     let tiles = windows(set, fold.shape() != shape);
     if set.is_compact() {
         let counts = Counts::compact(colors);
@@ -161,6 +158,9 @@ pub fn find(
         return Ok(search(rule, &counts, fold, none, shape, options, limits));
     }
     let counts = counts(colors, &tiles, fold.powers())?;
+    if fold.height() < 2 {
+        return Err(Refusal::OneRow);
+    }
     Ok(search(Once::new(colors, &tiles), &counts, fold, Excess::none(), shape, options, limits))
 }
 
