@@ -173,9 +173,6 @@ pub fn find_around(
     let colors = set.colors().largest();
     // Rows are scanned, so they should be short.
     let fold = oriented(&Fold::none(shape, colors));
-    if fold.height() < 2 {
-        return Err(Refusal::OneRow);
-    }
     let turned = fold.shape() != shape;
     let frame = Frame::new(shape, turned, pins).ok_or(Refusal::Pins)?;
     let tiles = windows(set, turned);
@@ -186,6 +183,9 @@ pub fn find_around(
         return search(rule, &counts, &torus, none, options, limits);
     }
     let counts = counts(colors, &tiles, torus.fold.powers())?;
+    if torus.fold.height() < 2 {
+        return Err(Refusal::OneRow);
+    }
     search(Once::new(colors, &tiles), &counts, &torus, Excess::none(), options, limits)
 }
 

@@ -146,7 +146,7 @@ fn mistakes_of_usage_exit_2() {
         ("find --kind square --colors 2", "corner, wang, domino"),
         ("find --kind corner --colors 2 --order zigzag", "row, column, diagonal, spiral"),
         ("find --kind corner --colors 2 --values biggest", "lexicographic, random"),
-        ("find --kind corner --colors 2 --method guess", "auto, construct, search, anneal, beam"),
+        ("find --kind corner --colors 2 --method guess", "auto, construct, search, beam, anneal"),
         ("find --kind corner --colors 2 --threads 0", "1..=1024"),
         ("find --kind corner --colors 2 --threads many", "invalid"),
         ("find --kind corner --colors 2 --seed -1", "-1"),
