@@ -4,7 +4,7 @@
 
 use super::args::FindArgs;
 use super::exit::Exit;
-use super::found::Heuristic;
+use super::found::{Found, Heuristic};
 use super::session::Session;
 use super::{construct, problem};
 use crate::anneal::{self, Annealed};
@@ -38,21 +38,24 @@ pub fn run(args: &FindArgs, why: Option<String>) -> anyhow::Result<Exit> {
     }
     let session = Session::new(&args.search.run)?;
     let seed = args.search.seed;
-    let about = vec![("seed", json!(seed)), ("why", json!(why))];
-    let heuristic = Heuristic { args, shape, method: "anneal", about };
-    let (found, ended) =
+    let fields = vec![("seed", json!(seed)), ("why", json!(why))];
+    let heuristic = Heuristic { args, shape: Some(shape), fields };
+    let (Annealed { labels, moves }, ended) =
         session.bounded(|_, limits| anneal::compact_corner(colors, shape, seed, limits));
-    let Annealed { labels, moves } = found;
     let Some(labels) = labels else {
-        return heuristic.stopped(
-            &ended,
-            moves,
-            &format!("{moves} moves; no packing found so far"),
-        );
+        let how_far = format!("{moves} moves; no packing found so far");
+        return heuristic.stopped("anneal", &ended, moves, Vec::new(), &how_far);
     };
-    let packing = Lattice { kind: Kind::Corner, shape }.packing(&labels, &set, false);
-    let how = format!("annealing under a symmetry (seed {seed})");
-    heuristic.found(&session, &packing, &ended, moves, (&how, &format!("{moves} moves")))
+    let found = Found {
+        packing: &Lattice { kind: Kind::Corner, shape }.packing(&labels, &set, false),
+        method: "anneal",
+        how: &format!("annealing under a symmetry (seed {seed})"),
+        remark: &format!("{moves} moves"),
+        nodes: moves,
+        fields: Vec::new(),
+        provenance: vec![("nodes", json!(moves.to_string())), ("seed", json!(seed))],
+    };
+    heuristic.found(&session, found, &ended)
 }
 
 /// Whether annealing finds a packing in seconds, as far as was measured.

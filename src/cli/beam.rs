@@ -6,22 +6,23 @@
 
 use super::args::{FindArgs, Method, ValueOrder};
 use super::exit::Exit;
+use super::found::{Found, Heuristic};
 use super::session::{Ended, Session};
-use super::{describe, output, problem};
+use super::{describe, problem};
 use crate::beam::{self, Options, Outcome};
 use crate::packing::Task;
-use crate::store::{Layout, check_writable, write_file, write_grid, write_solution};
+use crate::store::check_writable;
 use crate::tiles::{Kind, Members};
-use crate::torus::{Packing, Shape};
+use crate::torus::Shape;
 use crate::verify;
 use anyhow::{Context, bail};
-use serde_json::{Value, json};
+use serde_json::json;
 
-/// Runs the command.
+/// Runs the command; `why` it was chosen, if the program did.
 ///
 /// # Errors
 /// Options that the beam does not know, bad input, or a file that cannot be written.
-pub fn run(args: &FindArgs) -> anyhow::Result<Exit> {
+pub fn run(args: &FindArgs, why: Option<String>) -> anyhow::Result<Exit> {
     refuse(args)?;
     let task = problem::task(&args.problem, None)?;
     if task.set.kind() != Kind::Corner {
@@ -40,9 +41,11 @@ pub fn run(args: &FindArgs) -> anyhow::Result<Exit> {
     let session = Session::new(&args.search.run)?;
     let mut options = Options { seed: args.search.seed, ..Options::for_set(&task.set) };
     options.width = args.beam_width.map_or(options.width, |width| width as usize);
-    let answer = Answer { args, task: &task, options };
+    let (seed, width) = (json!(options.seed), json!(options.width));
+    let fields = vec![("seed", seed), ("beam_width", width), ("why", json!(why))];
+    let heuristic = Heuristic { args, shape: Some(task.shape), fields };
     if let Some(reason) = task.impossible() {
-        return answer.none(&reason);
+        return heuristic.none(&reason);
     }
     let (outcome, ended) = session.bounded(|threads, limits| {
         let options = Options { threads, ..options };
@@ -52,7 +55,7 @@ pub fn run(args: &FindArgs) -> anyhow::Result<Exit> {
         beam::find_around(&task.set, task.shape, Some(&task.pins), &options, limits)
     });
     let outcome = outcome.context("--method beam")?;
-    answer.give(&session, &outcome, &ended)
+    give(&heuristic, &session, &task, options, &outcome, &ended)
 }
 
 /// Refuses options that would be left out of account.
@@ -90,120 +93,48 @@ pub fn refuse_width(args: &FindArgs) -> anyhow::Result<()> {
     Ok(())
 }
 
-/// A search by beam, and where its result goes.
-struct Answer<'a> {
-    args: &'a FindArgs,
-    task: &'a Task,
-    options: Options,
-}
-
-impl Answer<'_> {
-    fn none(&self, reason: &str) -> anyhow::Result<Exit> {
-        if self.args.json {
-            let mut fields = self.fields("none", &Ended::default(), "0".to_owned());
-            fields.push(("reason", json!(reason)));
-            output::object(&fields)?;
-        } else {
-            output::line(&format!("none: {reason}"))?;
+/// Writes what the beam came to.
+fn give(
+    heuristic: &Heuristic<'_>,
+    session: &Session<'_>,
+    task: &Task,
+    Options { seed, width, .. }: Options,
+    outcome: &Outcome,
+    ended: &Ended,
+) -> anyhow::Result<Exit> {
+    let nodes = outcome.nodes;
+    let Some(labels) = &outcome.labels else {
+        let (cells, depth) = (task.shape.cells(), outcome.depth);
+        let restarts = describe::number(outcome.restart, "restart");
+        let how_far = format!(
+            "{nodes} nodes, {restarts}, most cells filled {depth} of {cells}; no packing found so \
+             far"
+        );
+        let fields = vec![("restarts", json!(outcome.restart))];
+        return heuristic.stopped("beam", ended, nodes, fields, &how_far);
+    };
+    let packing = task.lattice().packing(labels, &task.set, false);
+    let mut how = "beam search".to_owned();
+    if heuristic.args.recursive {
+        if let Some(fault) = verify::check_recursion(&packing).fault {
+            bail!("internal error: the packing is not recursive: {fault}; please report this");
         }
-        Ok(Exit::No)
+        how += " around a packing over one color less, and so on";
     }
-
-    fn give(
-        &self,
-        session: &Session<'_>,
-        outcome: &Outcome,
-        ended: &Ended,
-    ) -> anyhow::Result<Exit> {
-        let (task, nodes) = (self.task, outcome.nodes);
-        let Some(labels) = &outcome.labels else {
-            if self.args.json {
-                let mut fields = self.fields("stopped", ended, nodes.to_string());
-                fields.extend([("restarts", json!(outcome.restart)), ("reason", Value::Null)]);
-                output::object(&fields)?;
-            }
-            let (cells, depth) = (task.shape.cells(), outcome.depth);
-            let restarts = describe::number(outcome.restart, "restart");
-            ended.tell(&format!(
-                "{nodes} nodes, {restarts}, most cells filled {depth} of {cells}; no packing found \
-                 so far"
-            ));
-            return Ok(Exit::Stopped);
-        };
-        let packing = task.lattice().packing(labels, &task.set, false);
-        let verdict = verify::check(&packing);
-        if !verdict.is_valid() {
-            bail!("internal error: the beam found no packing: {verdict}; please report this");
-        }
-        let mut how = "beam search".to_owned();
-        if self.args.recursive {
-            if let Some(fault) = verify::check_recursion(&packing).fault {
-                bail!("internal error: the packing is not recursive: {fault}; please report this");
-            }
-            how += " around a packing over one color less, and so on";
-        }
-        let Options { seed, width, .. } = self.options;
-        how += &format!(" (seed {seed}, width {width}, restart {})", outcome.restart);
-        if let Some(file) = &self.args.output {
-            let provenance = self.provenance(&how, outcome);
-            write_file(file, |out| write_solution(out, &packing, &provenance, Layout::Pretty))?;
-        }
-        match (self.args.json, &self.args.output) {
-            (true, _) => self.print_json(outcome, ended, &packing)?,
-            (false, Some(_)) => {}
-            (false, None) => output::result(|out| {
-                writeln!(out, "# found by {how}, {nodes} nodes")?;
-                write_grid(out, &packing)
-            })?,
-        }
-        let written = match &self.args.output {
-            Some(file) => format!("; written to {}", file.display()),
-            None => String::new(),
-        };
-        session.remark(&format!("found by {how}: {nodes} nodes in {}{written}", ended.time()));
-        Ok(Exit::Yes)
-    }
-
-    fn provenance(&self, how: &str, outcome: &Outcome) -> Value {
-        json!({
-            "method": how,
-            "program": "tilepack",
-            "version": env!("CARGO_PKG_VERSION"),
-            "nodes": outcome.nodes.to_string(),
-            "seed": self.options.seed,
-            "beam_width": self.options.width,
-            "restart": outcome.restart,
-        })
-    }
-
-    fn print_json(
-        &self,
-        outcome: &Outcome,
-        ended: &Ended,
-        packing: &Packing,
-    ) -> anyhow::Result<()> {
-        let mut fields = self.fields("found", ended, outcome.nodes.to_string());
-        fields.extend([("restart", json!(outcome.restart)), ("reason", Value::Null)]);
-        if self.args.output.is_none() {
-            fields.extend(output::solution_fields(packing));
-        }
-        output::object(&fields)
-    }
-
-    fn fields(&self, result: &str, ended: &Ended, nodes: String) -> Vec<(&'static str, Value)> {
-        let file = self.args.output.as_deref().filter(|_| result == "found");
-        let shape = self.task.shape;
-        vec![
-            ("result", json!(result)),
-            ("method", json!(if result == "none" { "argument" } else { "beam" })),
-            ("width", json!(shape.width())),
-            ("height", json!(shape.height())),
-            ("nodes", json!(nodes)),
-            ("seconds", json!(ended.time.as_secs_f64())),
-            ("stopped_by", json!((result == "stopped").then_some(ended.by))),
-            ("file", json!(file.map(|file| file.to_string_lossy()))),
-            ("seed", json!(self.options.seed)),
-            ("beam_width", json!(self.options.width)),
-        ]
-    }
+    how += &format!(" (seed {seed}, width {width}, restart {})", outcome.restart);
+    let found = Found {
+        packing: &packing,
+        method: "beam",
+        how: &how,
+        remark: &format!("{nodes} nodes"),
+        nodes,
+        fields: vec![("restart", json!(outcome.restart))],
+        provenance: vec![
+            ("nodes", json!(nodes.to_string())),
+            ("seed", json!(seed)),
+            ("beam_width", json!(width)),
+            ("restart", json!(outcome.restart)),
+        ],
+    };
+    heuristic.found(session, found, ended)
 }

@@ -2,13 +2,16 @@
 //! one is known to be quick, exhaustive search for everything else.
 
 use super::args::FindArgs;
-use super::{anneal, construct, problem};
+use super::{anneal, construct, problem, set};
 use crate::construct::{Constructed, NotConstructed};
 use crate::tiles::{Kind, Members, TileSet};
 use crate::torus::Shape;
 
 /// Sets of so many tiles are searched; of more, search finds packings by luck only.
 const MOST_TO_SEARCH: u64 = 100;
+
+/// Coverings of sets of so many tiles are searched.
+const MOST_TO_COVER: u64 = 30;
 
 /// Sets of so many tiles have been packed by beam search.
 const MOST_TO_BEAM: u64 = 1000;
@@ -22,6 +25,8 @@ pub enum Way {
     Anneal,
     /// Beam search.
     Beam,
+    /// Annealing and beam search for coverings.
+    Cover,
     /// Exhaustive search.
     Search,
 }
@@ -31,6 +36,10 @@ pub enum Way {
 /// # Errors
 /// Bad input.
 pub fn choose(args: &FindArgs) -> anyhow::Result<(Way, String)> {
+    if let Some(tiles) = coverable(args)? {
+        let why = format!("{tiles} tiles are too many to search for coverings of them");
+        return Ok((Way::Cover, why));
+    }
     if let Some(option) = construct::asks_for_search(args) {
         return Ok((Way::Search, format!("{option} is for a search")));
     }
@@ -50,6 +59,23 @@ pub fn choose(args: &FindArgs) -> anyhow::Result<(Way, String)> {
         }
         Err(why) => (Way::Search, why.to_string()),
     })
+}
+
+/// The number of tiles, where coverings are asked for that annealing and beam search find sooner
+/// than exhaustive search, and nothing but that is asked for.
+fn coverable(args: &FindArgs) -> anyhow::Result<Option<u64>> {
+    let mut less = args.clone();
+    (less.problem.cover, less.problem.automorphism) = (false, None);
+    if !args.problem.cover || construct::asks_for_search(&less).is_some() {
+        return Ok(None);
+    }
+    let set = set::tile_set(&args.problem.set, None)?;
+    if args.aspect.is_some() {
+        return Ok(Some(set.size()));
+    }
+    let named = !set.is_compact() && set.kind() == Kind::Corner;
+    let sized = args.problem.size.is_some() || args.problem.automorphism.is_none();
+    Ok((named && sized && set.size() > MOST_TO_COVER).then_some(set.size()))
 }
 
 fn beam_is_quick(set: &TileSet, shape: Shape) -> bool {

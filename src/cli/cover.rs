@@ -1,39 +1,40 @@
 //! `find --cover --method anneal`: coverings of corner sets, as small as can be had in the time.
 //!
 //! With --size only that torus is looked at, under --automorphism if there is one. Without it the
-//! smallest covering is looked for, both by annealing and by beam search, and the answer says what is proved: that no covering has
-//! fewer cells than so many, and why. A set of which a tile fits nowhere has none at all.
+//! smallest covering is looked for, both by annealing and by beam search, and the answer says what
+//! is proved: that no covering has fewer cells than so many, and why. A set of which a tile fits
+//! nowhere has none at all.
 
 use super::args::{FindArgs, Method, ValueOrder};
 use super::exit::Exit;
+use super::found::{Found, Heuristic};
 use super::session::{Ended, Session};
-use super::{describe, output, problem, set};
+use super::{describe, problem, set};
 use crate::anneal;
 use crate::cover::bound::excluded;
 use crate::cover::{Bound, NoBound, Options, Smallest, on_torus, smallest};
-use crate::store::{Layout, check_writable, write_file, write_grid, write_solution};
+use crate::store::check_writable;
 use crate::tiles::TileSet;
-use crate::torus::{Fold, Lattice, Packing, Shape};
-use crate::verify;
+use crate::torus::{Fold, Lattice, Shape};
 use anyhow::{Context, bail};
-use serde_json::{Value, json};
+use serde_json::json;
 use std::time::Duration;
 
 /// How long the smallest covering is looked for when no limit is given.
 const PATIENCE: Duration = Duration::from_secs(10);
 
-/// Runs the command.
+/// Runs the command; `why` it was chosen, if the program did.
 ///
 /// # Errors
 /// Options that annealing does not know, bad input, or a file that cannot be written.
-pub fn run(args: &FindArgs) -> anyhow::Result<Exit> {
+pub fn run(args: &FindArgs, why: Option<String>) -> anyhow::Result<Exit> {
     refuse(args)?;
     if let Some(file) = &args.output {
         check_writable(file)?;
     }
     match &args.problem.size {
-        Some(_) => one_torus(args),
-        None => every_size(args),
+        Some(_) => one_torus(args, why),
+        None => every_size(args, why),
     }
 }
 
@@ -66,17 +67,18 @@ fn refuse(args: &FindArgs) -> anyhow::Result<()> {
 /// # Errors
 /// When it is given.
 pub fn refuse_aspect(args: &FindArgs) -> anyhow::Result<()> {
-    if args.aspect.is_some() && !(args.method == Method::Anneal && args.problem.cover) {
-        bail!("--aspect needs --cover --method anneal");
+    let suits = matches!(args.method, Method::Anneal | Method::Auto) && args.problem.cover;
+    if args.aspect.is_some() && !suits {
+        bail!("--aspect needs --cover, and no method but anneal");
     }
     Ok(())
 }
 
-fn one_torus(args: &FindArgs) -> anyhow::Result<Exit> {
+fn one_torus(args: &FindArgs, why: Option<String>) -> anyhow::Result<Exit> {
     let task = problem::task(&args.problem, None)?;
-    let answer = Answer { args, set: &task.set, shape: Some(task.shape) };
+    let heuristic = heuristic(args, &task.set, Some(task.shape), &why);
     let session = Session::new(&args.search.run)?;
-    let none = |reason: String| answer.none(&reason);
+    let none = |reason: String| heuristic.none(&reason);
     match excluded(&task.set, task.shape) {
         Ok(None) => {}
         Ok(Some(reason)) => return none(format!("size {}: {reason}", task.shape)),
@@ -101,7 +103,7 @@ fn one_torus(args: &FindArgs) -> anyhow::Result<Exit> {
     let (outcome, ended) = session.bounded(|threads, limits| {
         on_torus(&task.set, task.shape, fold, &options(args, threads), limits)
     });
-    answer.give(&session, &outcome.context("--method anneal")?, &ended)
+    give(&heuristic, &task.set, &session, &outcome.context("--method anneal")?, &ended)
 }
 
 /// How to look; rounds end with the limits.
@@ -110,9 +112,9 @@ fn options(args: &FindArgs, threads: usize) -> Options {
     Options { seed: args.search.seed, threads, aspect, rounds: u32::MAX, ..Options::default() }
 }
 
-fn every_size(args: &FindArgs) -> anyhow::Result<Exit> {
+fn every_size(args: &FindArgs, why: Option<String>) -> anyhow::Result<Exit> {
     let set = set::tile_set(&args.problem.set, None)?;
-    let answer = Answer { args, set: &set, shape: None };
+    let heuristic = heuristic(args, &set, None, &why);
     let mut run = args.search.run.clone();
     if run.time_limit.is_none() && run.node_limit.is_none() {
         run.time_limit = Some(PATIENCE);
@@ -121,118 +123,56 @@ fn every_size(args: &FindArgs) -> anyhow::Result<Exit> {
     let (outcome, ended) =
         session.bounded(|threads, limits| smallest(&set, &options(args, threads), limits));
     match outcome {
-        Ok(outcome) => answer.give(&session, &outcome, &ended),
-        Err(why @ NoBound::Lonely { .. }) => answer.none(&why.to_string()),
+        Ok(outcome) => give(&heuristic, &set, &session, &outcome, &ended),
+        Err(why @ NoBound::Lonely { .. }) => heuristic.none(&why.to_string()),
         Err(why) => Err(why).context("--method anneal"),
     }
 }
 
-/// A search for a covering, and where its result goes.
-struct Answer<'a> {
+/// The method at work, for a torus if one was asked for.
+fn heuristic<'a>(
     args: &'a FindArgs,
-    set: &'a TileSet,
-    /// The torus asked for.
+    set: &TileSet,
     shape: Option<Shape>,
+    why: &Option<String>,
+) -> Heuristic<'a> {
+    let fields = vec![
+        ("seed", json!(args.search.seed)),
+        ("set_size", json!(set.size())),
+        ("why", json!(why)),
+    ];
+    Heuristic { args, shape, fields }
 }
 
-impl Answer<'_> {
-    fn none(&self, reason: &str) -> anyhow::Result<Exit> {
-        if self.args.json {
-            let mut fields = self.fields("none", "argument", self.shape, 0, &Ended::default());
-            fields.push(("reason", json!(reason)));
-            output::object(&fields)?;
-        } else {
-            output::line(&format!("none: {reason}"))?;
-        }
-        Ok(Exit::No)
-    }
-
-    fn give(&self, session: &Session<'_>, found: &Smallest, ended: &Ended) -> anyhow::Result<Exit> {
-        let nodes = found.nodes;
-        let Some(covering) = &found.covering else {
-            if self.args.json {
-                let mut fields = self.fields("stopped", "anneal", self.shape, nodes, ended);
-                fields.extend(bound_fields(&found.bound));
-                output::object(&fields)?;
-            }
-            ended.tell(&format!("{nodes} nodes and moves; no covering found so far"));
-            return Ok(Exit::Stopped);
-        };
-        let (args, set, shape) = (self.args, self.set, covering.shape);
-        let lattice = Lattice { kind: set.kind(), shape };
-        let packing = lattice.packing(&covering.labels, set, true);
-        let verdict = verify::check(&packing);
-        if !verdict.is_valid() {
-            bail!("internal error: what was found is no covering: {verdict}; please report this");
-        }
-        let how = &covering.how;
-        let cells = in_words(set, shape, &found.bound);
-        if let Some(file) = &args.output {
-            let provenance = json!({
-                "method": how,
-                "program": "tilepack",
-                "version": env!("CARGO_PKG_VERSION"),
-                "seed": args.search.seed,
-                "lower_bound": found.bound.cells,
-                "bound_reason": found.bound.reason,
-            });
-            write_file(file, |out| write_solution(out, &packing, &provenance, Layout::Pretty))?;
-        }
-        match (args.json, &args.output) {
-            (true, _) => self.print_json(found, how, &packing, ended)?,
-            (false, Some(_)) => {}
-            (false, None) => output::result(|out| {
-                writeln!(out, "# found by {how}")?;
-                writeln!(out, "# {cells}")?;
-                write_grid(out, &packing)
-            })?,
-        }
-        let written = match &args.output {
-            Some(file) => format!("; written to {}", file.display()),
-            None => String::new(),
-        };
-        session.remark(&format!("found by {how}: {cells}; {}{written}", ended.time()));
-        Ok(Exit::Yes)
-    }
-
-    fn print_json(
-        &self,
-        found: &Smallest,
-        how: &str,
-        packing: &Packing,
-        ended: &Ended,
-    ) -> anyhow::Result<()> {
-        let mut fields = self.fields("found", method(how), Some(packing.shape), found.nodes, ended);
-        fields.extend(bound_fields(&found.bound));
-        fields.push(("how", json!(how)));
-        if self.args.output.is_none() {
-            fields.extend(output::solution_fields(packing));
-        }
-        output::object(&fields)
-    }
-
-    fn fields(
-        &self,
-        result: &str,
-        method: &str,
-        shape: Option<Shape>,
-        nodes: u64,
-        ended: &Ended,
-    ) -> Vec<(&'static str, Value)> {
-        let file = self.args.output.as_deref().filter(|_| result == "found");
-        vec![
-            ("result", json!(result)),
-            ("method", json!(method)),
-            ("width", json!(shape.map(Shape::width))),
-            ("height", json!(shape.map(Shape::height))),
-            ("nodes", json!(nodes.to_string())),
-            ("seconds", json!(ended.time.as_secs_f64())),
-            ("stopped_by", json!((result == "stopped").then_some(ended.by))),
-            ("file", json!(file.map(|file| file.to_string_lossy()))),
-            ("seed", json!(self.args.search.seed)),
-            ("set_size", json!(self.set.size())),
-        ]
-    }
+/// Writes what was found.
+fn give(
+    heuristic: &Heuristic<'_>,
+    set: &TileSet,
+    session: &Session<'_>,
+    found: &Smallest,
+    ended: &Ended,
+) -> anyhow::Result<Exit> {
+    let (nodes, bound) = (found.nodes, &found.bound);
+    let proved = vec![("lower_bound", json!(bound.cells)), ("bound_reason", json!(bound.reason))];
+    let Some(covering) = &found.covering else {
+        let how_far = format!("{nodes} nodes and moves; no covering found so far");
+        return heuristic.stopped("anneal", ended, nodes, proved, &how_far);
+    };
+    let lattice = Lattice { kind: set.kind(), shape: covering.shape };
+    let how = &covering.how;
+    let found = Found {
+        packing: &lattice.packing(&covering.labels, set, true),
+        method: method(how),
+        how,
+        remark: &in_words(set, covering.shape, bound),
+        nodes,
+        fields: proved.iter().cloned().chain([("how", json!(how))]).collect(),
+        provenance: proved
+            .into_iter()
+            .chain([("seed", json!(heuristic.args.search.seed))])
+            .collect(),
+    };
+    heuristic.found(session, found, ended)
 }
 
 /// The word for a method of the contract that a way to find something belongs to.
@@ -242,10 +182,6 @@ fn method(how: &str) -> &'static str {
         Some("search") => "search",
         _ => "anneal",
     }
-}
-
-fn bound_fields(bound: &Bound) -> [(&'static str, Value); 2] {
-    [("lower_bound", json!(bound.cells)), ("bound_reason", json!(bound.reason))]
 }
 
 /// `11x3, 33 cells for 31 tiles; no covering has fewer: ...`.

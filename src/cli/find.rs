@@ -26,15 +26,15 @@ pub fn run(args: &FindArgs) -> anyhow::Result<Exit> {
     beam::refuse_width(args)?;
     ring::refuse(args)?;
     if args.recursive {
-        return beam::run(args);
+        return beam::run(args, None);
     }
     cover::refuse_aspect(args)?;
     if args.ring != RingOrder::Least {
         return construct::run(args);
     }
     match args.method {
-        Method::Beam => beam::run(args),
-        Method::Anneal if args.problem.cover => cover::run(args),
+        Method::Beam => beam::run(args, None),
+        Method::Anneal if args.problem.cover => cover::run(args, None),
         Method::Anneal => anneal::run(args, None),
         Method::Construct => construct::run(args),
         Method::Search => search(args, None),
@@ -51,7 +51,11 @@ pub fn run(args: &FindArgs) -> anyhow::Result<Exit> {
                 }
                 Way::Beam => {
                     tell(args, "beam", &why);
-                    beam::run(args)
+                    beam::run(args, Some(why))
+                }
+                Way::Cover => {
+                    tell(args, "anneal", &why);
+                    cover::run(args, Some(why))
                 }
                 Way::Search => search(args, Some(why)),
             }

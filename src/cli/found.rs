@@ -1,5 +1,6 @@
-//! A packing that a heuristic came to: checked from the definition, then written where it is
-//! wanted. Methods that are not exhaustive find packings or are stopped, nothing else.
+//! What a heuristic comes to: a packing, checked from the definition and written where it is
+//! wanted, or an early end. Methods that are not exhaustive find packings or are stopped; that
+//! there is none they know by an argument only.
 
 use super::args::FindArgs;
 use super::exit::Exit;
@@ -11,17 +12,37 @@ use crate::verify;
 use anyhow::bail;
 use serde_json::{Map, Value, json};
 
-/// A method at work: what it is asked and how it answers.
+/// Names and values: of a JSON object, or of the provenance of a file.
+pub type Fields = Vec<(&'static str, Value)>;
+
+/// A method at work, and where its answer goes.
 #[derive(Debug)]
 pub struct Heuristic<'a> {
     /// What was asked.
     pub args: &'a FindArgs,
-    /// The torus.
-    pub shape: Shape,
-    /// Its name on the command line.
+    /// The torus, if it was asked for.
+    pub shape: Option<Shape>,
+    /// What every JSON object says, whatever the answer.
+    pub fields: Fields,
+}
+
+/// A packing or covering that was found.
+#[derive(Debug)]
+pub struct Found<'a> {
+    /// What was found.
+    pub packing: &'a Packing,
+    /// The name of the method on the command line.
     pub method: &'static str,
-    /// What is specific to it, for JSON and for provenance.
-    pub about: Vec<(&'static str, Value)>,
+    /// How, in words, for people and files.
+    pub how: &'a str,
+    /// What is worth knowing besides: `4711 nodes`.
+    pub remark: &'a str,
+    /// Nodes or moves.
+    pub nodes: u64,
+    /// More for the JSON object.
+    pub fields: Fields,
+    /// More for the provenance of a file.
+    pub provenance: Fields,
 }
 
 impl Heuristic<'_> {
@@ -31,7 +52,7 @@ impl Heuristic<'_> {
     /// A result that cannot be written.
     pub fn none(&self, reason: &str) -> anyhow::Result<Exit> {
         if self.args.json {
-            let mut fields = self.fields("none", &Ended::default(), 0);
+            let mut fields = self.common("none", "argument", self.shape, 0, &Ended::default());
             fields.push(("reason", json!(reason)));
             output::object(&fields)?;
         } else {
@@ -40,13 +61,21 @@ impl Heuristic<'_> {
         Ok(Exit::No)
     }
 
-    /// Nothing was found before something asked to stop.
+    /// Nothing was found before something asked to stop; `more` is for the JSON object.
     ///
     /// # Errors
     /// A result that cannot be written.
-    pub fn stopped(&self, ended: &Ended, nodes: u64, how_far: &str) -> anyhow::Result<Exit> {
+    pub fn stopped(
+        &self,
+        method: &str,
+        ended: &Ended,
+        nodes: u64,
+        more: Fields,
+        how_far: &str,
+    ) -> anyhow::Result<Exit> {
         if self.args.json {
-            let mut fields = self.fields("stopped", ended, nodes);
+            let mut fields = self.common("stopped", method, self.shape, nodes, ended);
+            fields.extend(more);
             fields.push(("reason", Value::Null));
             output::object(&fields)?;
         }
@@ -54,37 +83,35 @@ impl Heuristic<'_> {
         Ok(Exit::Stopped)
     }
 
-    /// A packing was found; `how` says it in words, for people and for provenance, and `effort`
-    /// what it took: `260 nodes`.
+    /// Checks what was found and writes it where it is wanted.
     ///
     /// # Errors
-    /// When it is none, or cannot be written.
+    /// When it is no packing, or cannot be written.
     pub fn found(
         &self,
         session: &Session<'_>,
-        packing: &Packing,
+        found: Found<'_>,
         ended: &Ended,
-        nodes: u64,
-        (how, effort): (&str, &str),
     ) -> anyhow::Result<Exit> {
+        let Found { packing, how, remark, .. } = found;
         let verdict = verify::check(packing);
         if !verdict.is_valid() {
-            bail!("internal error: {how} found no packing: {verdict}; please report this");
+            bail!("internal error: {how} found what is not valid: {verdict}; please report this");
         }
         if let Some(file) = &self.args.output {
             let mut provenance = Map::new();
             provenance.insert("method".into(), json!(how));
             provenance.insert("program".into(), json!("tilepack"));
             provenance.insert("version".into(), json!(env!("CARGO_PKG_VERSION")));
-            provenance.insert("nodes".into(), json!(nodes.to_string()));
-            provenance
-                .extend(self.about.iter().map(|(name, value)| ((*name).into(), value.clone())));
+            provenance.extend(found.provenance.into_iter().map(|(name, v)| (name.into(), v)));
             let provenance = Value::Object(provenance);
             write_file(file, |out| write_solution(out, packing, &provenance, Layout::Pretty))?;
         }
         match (self.args.json, &self.args.output) {
             (true, output) => {
-                let mut fields = self.fields("found", ended, nodes);
+                let shape = Some(packing.shape);
+                let mut fields = self.common("found", found.method, shape, found.nodes, ended);
+                fields.extend(found.fields);
                 fields.push(("reason", Value::Null));
                 if output.is_none() {
                     fields.extend(output::solution_fields(packing));
@@ -93,7 +120,8 @@ impl Heuristic<'_> {
             }
             (false, Some(_)) => {}
             (false, None) => output::result(|out| {
-                writeln!(out, "# found by {how}, {effort}")?;
+                writeln!(out, "# found by {how}")?;
+                writeln!(out, "# {remark}")?;
                 write_grid(out, packing)
             })?,
         }
@@ -101,23 +129,30 @@ impl Heuristic<'_> {
             Some(file) => format!("; written to {}", file.display()),
             None => String::new(),
         };
-        session.remark(&format!("found by {how}: {effort} in {}{written}", ended.time()));
+        session.remark(&format!("found by {how}: {remark} in {}{written}", ended.time()));
         Ok(Exit::Yes)
     }
 
-    fn fields(&self, result: &str, ended: &Ended, nodes: u64) -> Vec<(&'static str, Value)> {
+    fn common(
+        &self,
+        result: &str,
+        method: &str,
+        shape: Option<Shape>,
+        nodes: u64,
+        ended: &Ended,
+    ) -> Fields {
         let file = self.args.output.as_deref().filter(|_| result == "found");
         let mut fields = vec![
             ("result", json!(result)),
-            ("method", json!(if result == "none" { "argument" } else { self.method })),
-            ("width", json!(self.shape.width())),
-            ("height", json!(self.shape.height())),
+            ("method", json!(method)),
+            ("width", json!(shape.map(Shape::width))),
+            ("height", json!(shape.map(Shape::height))),
             ("nodes", json!(nodes.to_string())),
             ("seconds", json!(ended.time.as_secs_f64())),
             ("stopped_by", json!((result == "stopped").then_some(ended.by))),
             ("file", json!(file.map(|file| file.to_string_lossy()))),
         ];
-        fields.extend(self.about.iter().cloned());
+        fields.extend(self.fields.iter().cloned());
         fields
     }
 }

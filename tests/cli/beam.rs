@@ -42,6 +42,7 @@ fn json_fields() {
             "seconds",
             "seed",
             "stopped_by",
+            "why",
             "width"
         ]
     );

@@ -165,3 +165,18 @@ fn locate_agrees_with_find() {
         (&65025.into(), &4_228_250_624u64.into())
     );
 }
+
+/// Coverings of few tiles are searched, of many annealed.
+#[test]
+fn auto_covers() {
+    for (problem, method) in [
+        ("--kind corner --colors 2 --cover --size 5x4", "search"),
+        ("--kind corner --colors 3 --set pruned:0-1 --cover", "search"),
+        ("--kind corner --colors 4 --set pruned:0-1 --cover --size 15x10", "beam"),
+    ] {
+        let object = run(&format!("find {problem} --json --quiet")).exits(0).json();
+        assert_eq!(object["method"], method, "{problem}");
+        let covers = object["why"].as_str().unwrap().contains("too many to search");
+        assert_eq!(covers, object["lower_bound"].is_u64(), "{object:?}");
+    }
+}

@@ -57,11 +57,13 @@ fn one_torus_with_and_without_a_symmetry() {
             "lower_bound",
             "method",
             "nodes",
+            "reason",
             "result",
             "seconds",
             "seed",
             "set_size",
             "stopped_by",
+            "why",
             "width"
         ]
     );
@@ -122,7 +124,11 @@ fn what_annealing_does_not_know_is_refused() {
         (format!("{cover} --aspect x"), "a number such as"),
         (format!("{cover} --automorphism 2,0:+1"), "--automorphism needs --size"),
         (format!("{cover} --beam-width 10"), "--beam-width needs --method beam"),
-        ("find --kind corner --colors 2 --cover --aspect 2".into(), "--aspect needs"),
+        (
+            "find --kind corner --colors 2 --cover --method search --aspect 2".into(),
+            "--aspect needs",
+        ),
+        ("find --kind corner --colors 2 --aspect 2".into(), "--aspect needs"),
         ("find --kind wang --colors 2 --cover --method anneal".into(), "not of wang tiles"),
         ("find --kind corner --colors 3 --set compact --cover --method anneal".into(), "compact"),
     ] {
