@@ -88,11 +88,7 @@ impl<R: Rule> Beam<'_, R> {
                     let (parent, color, score) = children[number_of(key)];
                     let (from, to) = (parent as usize * words, next.states.len());
                     next.states.extend_from_slice(&level.states[from..from + words]);
-                    let placed = model.place(&mut next.states[to..], &under, at, color.into());
-                    debug_assert_eq!(
-                        placed.map(|change| change + level.scores[parent as usize]),
-                        Some(score)
-                    );
+                    model.fill(&mut next.states[to..], &under, at, color.into());
                     next.scores.push(score);
                     kept.push((parent, color));
                 }

@@ -28,6 +28,11 @@ impl Given {
         self.colors[row * self.width + column].map(usize::from)
     }
 
+    /// Whether no cell is given.
+    pub(super) fn is_empty(&self) -> bool {
+        self.colors.is_empty()
+    }
+
     /// Whether all these cells are given.
     #[inline(always)]
     pub(super) fn all(&self, cells: &[(usize, usize)]) -> bool {

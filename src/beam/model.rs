@@ -52,6 +52,8 @@ pub(super) struct Model<R> {
     fold: Fold,
     /// What the seam in the east makes of a color.
     east: Vec<usize>,
+    /// Without symmetry and given cells.
+    plain: bool,
 }
 
 /// How many tiles and cells there are, before any is placed.
@@ -105,8 +107,9 @@ impl<R: Rule> Model<R> {
             rule: start.len(),
         };
         start.extend(rule.start());
+        let plain = fold.powers().len() == 1 && given.is_empty();
         let mut model =
-            Self { colors, width, height, logs, rule, layout, start, given, fold, east };
+            Self { plain, colors, width, height, logs, rule, layout, start, given, fold, east };
         model.start = model.spend_given()?;
         Some(model)
     }
@@ -241,6 +244,41 @@ impl<R: Rule> Model<R> {
         Some(score)
     }
 
+    /// Fills a cell with a color that [`Model::choices`] gave for this state.
+    #[inline]
+    pub(super) fn fill(&self, state: &mut [u16], under: &[usize], at: At, color: usize) {
+        if !self.plain || !self.is_inner(at) {
+            let placed = self.place(state, under, at, color);
+            debug_assert!(placed.is_some());
+            return;
+        }
+        let Layout { south, west, east, across, down, cells, line, rule } = self.layout;
+        let (n, last) = (self.colors, line + self.width);
+        let (counts, words) = state.split_at_mut(rule);
+        let cell = |i: usize| usize::from(counts[i]);
+        let (nw, ne, sw) = (cell(last), cell(line + at.column), cell(line + at.column - 1));
+        counts[last] = ne as u16;
+        counts[line + at.column] = color as u16;
+        for used in [
+            cells + color,
+            across + sw * n + color,
+            down + ne * n + color,
+            nw * n + ne,
+            south + sw * n + color,
+            west + nw * n + sw,
+            east + ne * n + color,
+        ] {
+            counts[used] -= 1;
+        }
+        self.rule.take(words, [nw, ne, sw, color]);
+    }
+
+    /// Whether a cell completes one window, one domino across and one down.
+    #[inline(always)]
+    fn is_inner(&self, At { row, column }: At) -> bool {
+        row > 0 && row + 1 < self.height && column > 0 && column + 1 < self.width
+    }
+
     /// Takes one off the counts, from `begin` on, of what shows these colors and its images.
     #[inline(always)]
     fn spend<const N: usize>(
@@ -293,8 +331,7 @@ impl<R: Rule> Model<R> {
             }
             return;
         }
-        let inner = at.row > 0 && at.row + 1 < self.height;
-        if !(inner && at.column > 0 && at.column + 1 < self.width) {
+        if !self.is_inner(at) {
             for color in 0..self.colors {
                 scratch.clear();
                 scratch.extend_from_slice(state);

@@ -138,7 +138,8 @@ pub struct ProblemArgs {
         value_name = "DX,DY:PERM",
         allow_hyphen_values = true,
         help = "Only packings a with a[row+DY][column+DX] = PERM(a[row][column]); PERM is +1 (add \
-                1 modulo C) or the list of the images of all colors, such as 1,2,3,0"
+                1 modulo C) or the list of the images of all colors, such as 1,2,3,0; auto \
+                takes one that suits"
     )]
     pub automorphism: Option<String>,
     /// Cells given beforehand: a grid with . (or a solution with null) for free cells
@@ -204,7 +205,7 @@ pub struct FindArgs {
     /// How to find it
     #[arg(long, value_enum, default_value_t = Method::Auto)]
     pub method: Method,
-    /// Partial packings that beam search keeps at every cell [default: 3000]
+    /// Partial packings that beam search keeps at every cell [default: 1000 for complete sets, else 3000]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=200_000))]
     pub beam_width: Option<u32>,
     /// The rings that dominoes and Wang tiles are constructed from

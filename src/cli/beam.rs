@@ -39,7 +39,11 @@ pub fn run(args: &FindArgs, why: Option<String>) -> anyhow::Result<Exit> {
         }
     }
     let session = Session::new(&args.search.run)?;
-    let mut options = Options { seed: args.search.seed, ..Options::for_set(&task.set) };
+    let best = match args.recursive {
+        true => Options::for_recursion(&task.set),
+        false => Options::for_set(&task.set),
+    };
+    let mut options = Options { seed: args.search.seed, ..best };
     options.width = args.beam_width.map_or(options.width, |width| width as usize);
     let (seed, width) = (json!(options.seed), json!(options.width));
     let fields = vec![("seed", seed), ("beam_width", width), ("why", json!(why))];

@@ -82,7 +82,10 @@ fn search(args: &FindArgs, why: Option<String>) -> anyhow::Result<Exit> {
         output: args.output.clone(),
         json: args.json,
         pins: args.problem.pin.as_ref().map(|pin| pin.to_string_lossy().into_owned()),
-        automorphism: args.problem.automorphism.clone(),
+        automorphism: match args.problem.automorphism.as_deref() {
+            Some("auto") => job.task.automorphism.as_ref().map(ToString::to_string),
+            text => text.map(str::to_owned),
+        },
         why,
     };
     let save = Save::asked(args.search.checkpoint.as_deref(), &job)?;

@@ -1,10 +1,10 @@
 //! Raw arguments to a validated [`Task`]: every mistake in them is told before any work is done.
 
 use super::args::ProblemArgs;
-use super::set;
+use super::{output, set};
 use crate::packing::Task;
 use crate::store::{Input, read_pins};
-use crate::symmetry::Automorphism;
+use crate::symmetry::{self, Automorphism};
 use crate::tiles::TileSet;
 use crate::torus::{Order, Shape};
 use anyhow::Context;
@@ -38,7 +38,19 @@ pub fn task(args: &ProblemArgs, order: Option<Order>) -> anyhow::Result<Task> {
     task.cover = args.cover;
     task.order = order;
     if let Some(text) = &args.automorphism {
-        task.automorphism = Some(Automorphism::parse(text, task.set.colors(), shape)?);
+        task.automorphism = Some(match text.as_str() {
+            "auto" => {
+                let found = symmetry::suggest(&task.set, shape, args.cover).with_context(|| {
+                    format!(
+                        "--automorphism auto: no part of a side of {shape} is a step for the set"
+                    )
+                })?;
+                // Whoever reads the answer must know what it is about, also when quiet.
+                output::remark(&format!("--automorphism {found}"));
+                found
+            }
+            text => Automorphism::parse(text, task.set.colors(), shape)?,
+        });
     }
     task.check()?;
     if let Some(file) = &args.pin {

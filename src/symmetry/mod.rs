@@ -42,6 +42,7 @@ pub mod group;
 pub mod keeping;
 pub mod orbits;
 pub mod square;
+pub mod suggest;
 
 pub use anchor::Anchor;
 pub use automorphism::{Automorphism, AutomorphismError};
@@ -51,3 +52,4 @@ pub use element::{PointSymmetry, Symmetry};
 pub use group::{Group, GroupError};
 pub use orbits::{burnside, by_canonical_form, expand};
 pub use square::Isometry;
+pub use suggest::suggest;

@@ -47,7 +47,7 @@ fn json_fields() {
         ]
     );
     assert_eq!((&object["result"], &object["method"]), (&"found".into(), &"beam".into()));
-    assert_eq!((&object["seed"], &object["beam_width"]), (&0.into(), &3000.into()));
+    assert_eq!((&object["seed"], &object["beam_width"]), (&0.into(), &1000.into()));
     assert!(object["stopped_by"].is_null());
     let whole = place.run("find --kind corner --colors 3 --method beam --json").exits(0);
     place.feed("verify -", &whole.stdout).exits(0);

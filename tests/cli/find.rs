@@ -184,3 +184,18 @@ fn plain_gives_the_same_answer() {
         place.feed("verify -", &found.stdout).exits(0);
     }
 }
+
+/// The automorphism is chosen, told, and can be asked for by what is told.
+#[test]
+fn an_automorphism_is_chosen() {
+    let four = "find --kind corner --colors 4 --values random --seed 1 --json --automorphism";
+    let chosen = run(&format!("{four} auto --quiet")).exits(0);
+    assert_eq!(chosen.stderr, "tilepack: --automorphism 4,0:1,2,3,0\n");
+    let (chosen, asked) = (chosen.json(), run(&format!("{four} 4,0:1,2,3,0")).exits(0).json());
+    assert_eq!(chosen["automorphism"], "4,0:1,2,3,0");
+    assert_eq!(chosen["tiles"], asked["tiles"]);
+    let counted = run("count --kind corner --colors 3 --set compact --automorphism auto").exits(0);
+    assert!(counted.stderr.starts_with("tilepack: --automorphism 3,0:1,2,0\n"), "{counted:#?}");
+    let none = run("find --kind wang --colors 2,3 --automorphism auto").exits(2);
+    assert!(none.stderr.contains("no part of a side of 9x4 is a step for the set"), "{none:#?}");
+}
