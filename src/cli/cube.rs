@@ -7,7 +7,8 @@ use super::exit::Exit;
 use super::{duration, output};
 use crate::construct::{CubeStack, Seed, WangCubes, cube_binary};
 use crate::store::{
-    CubeSolution, FORMAT, Input, StoreError, check_writable, read_cubes, write_cubes, write_file,
+    CubeSolution, Input, StoreError, check_writable, cube_fields, read_cubes, write_cubes,
+    write_file,
 };
 use crate::torus::{CubeKind, CubeSet, Cubes, MAX_CUBES};
 use crate::verify::{CubesFault, check_cube_packing};
@@ -132,29 +133,13 @@ fn print_json(args: &CubeArgs, packing: &Cubes, name: &str, begin: Instant) -> a
         ("seconds", json!(begin.elapsed().as_secs_f64())),
         ("file", json!(file)),
     ];
-    fields.extend(description(packing));
+    fields.extend(cube_fields(packing));
     if args.output.is_none() {
         let row = |row: &[u32]| json!(row);
         let layer = |layer: &[u32]| Value::from_iter(layer.chunks(packing.sides[2]).map(row));
         fields.push(("layers", packing.layers().map(layer).collect()));
     }
     output::object(&fields)
-}
-
-/// What a packing is, in the fields of its file.
-fn description(packing: &Cubes) -> Vec<(&'static str, Value)> {
-    let [depth, height, width] = packing.sides;
-    let colors = packing.set.single().map_or(json!(packing.set.colors), |count| json!(count));
-    vec![
-        ("format", json!(FORMAT)),
-        ("kind", json!(packing.set.kind.name())),
-        ("colors", colors),
-        ("set", json!("complete")),
-        ("width", json!(width)),
-        ("height", json!(height)),
-        ("depth", json!(depth)),
-        ("topology", json!("torus")),
-    ]
 }
 
 /// What `verify` has to say about a file of cubes.
@@ -220,7 +205,7 @@ impl CubeReport {
         let (about, error) = match &self.checked {
             Err(error) => (Vec::new(), Some(error.to_string())),
             Ok((solution, fault)) => {
-                (description(&solution.packing), fault.as_ref().map(ToString::to_string))
+                (cube_fields(&solution.packing), fault.as_ref().map(ToString::to_string))
             }
         };
         let field = |wanted: &str| {

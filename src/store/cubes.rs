@@ -228,8 +228,9 @@ impl<'de> Visitor<'de> for Nest<'_> {
     }
 }
 
-/// The fields before the layers, in the order in which they are written.
-fn fields(packing: &Cubes) -> Vec<(&'static str, Value)> {
+/// What a packing is: the fields of its file before the layers, in the order in which they are
+/// written.
+pub fn cube_fields(packing: &Cubes) -> Vec<(&'static str, Value)> {
     let [depth, height, width] = packing.sides;
     let colors = match packing.set.single() {
         Some(count) => json!(count),
@@ -254,7 +255,7 @@ fn fields(packing: &Cubes) -> Vec<(&'static str, Value)> {
 /// What `out` reports.
 pub fn write_cubes(mut out: impl Write, packing: &Cubes, provenance: &Value) -> io::Result<()> {
     let mut begin = '{';
-    for (name, value) in fields(packing) {
+    for (name, value) in cube_fields(packing) {
         writeln!(out, "{begin}")?;
         write!(out, "  \"{name}\": {value}")?;
         begin = ',';

@@ -41,7 +41,7 @@ mod tile_set;
 pub use atomic::{AtomicFile, check_writable, write_file};
 pub use checkpoint::{Checkpoint, Opened, previous, read_checkpoint, set_aside, write_checkpoint};
 pub use claim::Claim;
-pub use cubes::{CubeSolution, holds_cubes, read_cubes, write_cubes};
+pub use cubes::{CubeSolution, cube_fields, holds_cubes, read_cubes, write_cubes};
 pub use error::StoreError;
 pub use grid::{write_grid, write_grid_head, write_grid_row};
 pub use job::{fingerprint, read_job, write_job};
