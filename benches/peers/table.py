@@ -1,7 +1,8 @@
 """Runs every row for tilepack and its peers and prints one table in markdown.
 
-Every run is a process of its own that is ended, with all it started, at the time-out. tilepack's
-time is that of its whole process, on one thread; a peer's begins when its solver has the model.
+Every run is a process of its own that is ended, with all it started, at the time-out, which is CPU
+time, so that another load on the machine ends nothing (but ten times as much on the clock does).
+tilepack's time is that of its whole process, on one thread; a peer's begins when its solver has the model.
 A cell is the median over the repetitions (rows that ask for a first packing: over the seeds),
 for the better encoding; a time-out counts as longer than any time.
 """
@@ -10,6 +11,7 @@ import argparse
 import datetime
 import json
 import os
+import resource
 import signal
 import subprocess
 import sys
@@ -57,13 +59,15 @@ def run(command, limit):
     """The output of a command and its CPU and wall time, or None at the time-out."""
     with tempfile.TemporaryFile() as out:
         begin = time.perf_counter()
-        process = subprocess.Popen(command, stdout=out, stderr=subprocess.DEVNULL, start_new_session=True)
+        cpu = int(limit) + 1
+        process = subprocess.Popen(command, stdout=out, stderr=subprocess.DEVNULL, start_new_session=True,
+                                   preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_CPU, (cpu, cpu)))
         while True:
             done, status, used = os.wait4(process.pid, os.WNOHANG)
             wall = time.perf_counter() - begin
             if done:
                 break
-            if wall > limit:
+            if wall > 10 * limit:
                 os.killpg(process.pid, signal.SIGKILL)
                 os.wait4(process.pid, 0)
                 return None
@@ -71,7 +75,9 @@ def run(command, limit):
         process.returncode = status
         out.seek(0)
         if status != 0:
-            return None if status == 75 << 8 else sys.exit(f"failed: {' '.join(map(str, command))}")
+            killed = os.WIFSIGNALED(status) and os.WTERMSIG(status) in (signal.SIGKILL, signal.SIGXCPU)
+            late = killed or used.ru_utime + used.ru_stime > limit
+            return None if late else sys.exit(f"failed: {' '.join(map(str, command))}")
         return out.read().decode(), used.ru_utime + used.ru_stime, wall
 
 
@@ -89,9 +95,9 @@ def ours(row, options, seed, limit, pin):
 
 def theirs(row, peer, encoding, seed, limit):
     # Making the model is not part of the time, but must end, too.
-    done = run([sys.executable, HERE / f"{peer}.py", row, encoding, str(seed)], 1.5 * limit + 10)
+    done = run([sys.executable, HERE / f"{peer}.py", row, encoding, str(seed)], limit + 5)
     result = json.loads(done[0]) if done else None
-    return result if result and result["wall"] <= limit else None
+    return result if result and result["cpu"] <= limit else None
 
 
 def rank(results, share):
@@ -180,7 +186,7 @@ def main():
     parser.add_argument("--quick", action="store_true", help="1 repetition, 3 seeds, 10 s")
     parser.add_argument("--repetitions", type=int, default=5)
     parser.add_argument("--seeds", type=int, default=20)
-    parser.add_argument("--timeout", type=float, default=60, help="seconds of a run")
+    parser.add_argument("--timeout", type=float, default=60, help="CPU seconds of a run")
     parser.add_argument("--peers", nargs="*", choices=PEERS, help="these peers only")
     args = parser.parse_args()
     if args.quick:
@@ -189,7 +195,7 @@ def main():
     if wrong:
         parser.error(f"no such row: {', '.join(wrong)}")
     print(f"{datetime.date.today()}; {machine()}")
-    print(f"\nRepetitions {args.repetitions}, seeds {args.seeds}, time-out {args.timeout:.0f} s.")
+    print(f"\nRepetitions {args.repetitions}, seeds {args.seeds}, time-out {args.timeout:.0f} CPU s.")
     with tempfile.NamedTemporaryFile("w", suffix=".txt") as pin:
         pin.write(PIN)
         pin.flush()
