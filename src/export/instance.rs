@@ -14,7 +14,8 @@ use crate::tiles::{Kind, Members, TileId};
 use crate::torus::Cell;
 use std::collections::{BTreeMap, BTreeSet};
 
-/// The largest number of options that is written: some ten GB of text.
+/// The largest number of options that is written: some ten GB of text. With all counters there are
+/// then fewer than 2^31 variables.
 pub const MAX_OPTIONS: u64 = 1 << 28;
 
 /// Why a task cannot be written.
