@@ -15,14 +15,15 @@
 //! 6. [`search`]: exhaustive search that knows no tiles: paths, slices, threads.
 //! 7. [`symmetry`]: what leaves a set of packings as it is: canonical forms and orbits.
 //! 8. [`packing`]: the problems, their pruning, and the answers to [`packing::Task`]s.
-//! 9. [`beam`]: first packings of corner tiles by beam search.
-//! 10. [`anneal`]: packings by annealing under a symmetry.
-//! 11. [`cover`]: coverings of pruned sets, and how small they can be.
-//! 12. [`verify`]: packings checked from the definition, by code that shares nothing with the
+//! 9. [`export`]: the same problems for SAT solvers and programs for exact cover.
+//! 10. [`beam`]: first packings of corner tiles by beam search.
+//! 11. [`anneal`]: packings by annealing under a symmetry.
+//! 12. [`cover`]: coverings of pruned sets, and how small they can be.
+//! 13. [`verify`]: packings checked from the definition, by code that shares nothing with the
 //!     search.
-//! 13. [`store`]: files, whole or not at all.
-//! 14. [`cluster`]: one search in parts, on many machines.
-//! 15. [`cli`]: the command line.
+//! 14. [`store`]: files, whole or not at all.
+//! 15. [`cluster`]: one search in parts, on many machines.
+//! 16. [`cli`]: the command line.
 //!
 //! Every layer uses only those before it (the search none), so each can be read, and trusted,
 //! without the later ones.
@@ -58,6 +59,7 @@ pub mod compact;
 pub mod construct;
 pub mod count;
 pub mod cover;
+pub mod export;
 pub mod packing;
 pub mod search;
 pub mod store;

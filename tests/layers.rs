@@ -25,6 +25,7 @@ const LAYERS: &[(&str, &[&str])] = &[
     ("cover", &["tiles", "torus", "search", "packing", "beam", "anneal"]),
     // Of nothing it checks: neither search nor packing nor symmetry.
     ("verify", &["tiles", "torus"]),
+    ("export", &["tiles", "torus", "symmetry", "packing"]),
     ("store", &["tiles", "torus", "search", "symmetry", "packing"]),
     ("cluster", &["packing", "store"]),
     (
@@ -40,6 +41,7 @@ const LAYERS: &[(&str, &[&str])] = &[
             "beam",
             "anneal",
             "cover",
+            "export",
             "verify",
             "store",
             "cluster",

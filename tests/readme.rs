@@ -15,11 +15,12 @@ const PAGES: &[(&str, &str, usize)] = &[
     ("README.md", README, 10),
     ("docs/long-runs.md", include_str!("../docs/long-runs.md"), 15),
     ("docs/coverings.md", include_str!("../docs/coverings.md"), 3),
+    ("docs/exports.md", include_str!("../docs/exports.md"), 6),
     ("docs/packings.md", include_str!("../docs/packings.md"), 4),
 ];
 
 /// Programs of others that a page may show, besides our own.
-const OTHERS: &[&str] = &["cat", "cmp", "grep", "sed"];
+const OTHERS: &[&str] = &["cat", "cmp", "echo", "grep", "sed"];
 
 /// A command and the lines shown below it.
 struct Example<'a> {

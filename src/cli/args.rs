@@ -4,9 +4,11 @@
 //! here and read in [`super::problem`], where errors can say more.
 
 mod cube;
+mod export;
 mod parts;
 
 pub use cube::{CubeArgs, CubeKindArg};
+pub use export::{ExportCnfArgs, ExportOut, ExportXccArgs};
 pub use parts::{ClusterCommand, JobArgs, MergeArgs, PartArgs, PlanArgs, SlurmArgs};
 
 use super::ring::RingOrder;
@@ -59,6 +61,12 @@ pub enum Command {
     /// Estimate the number of packings and the size of the search, by random probes
     #[command(after_help = help::ESTIMATE)]
     Estimate(EstimateArgs),
+    /// Write the problem for a SAT solver, in DIMACS CNF, or read what one found
+    #[command(after_help = help::EXPORT_CNF)]
+    ExportCnf(ExportCnfArgs),
+    /// Write the problem as exact cover with colors, for Knuth's DLX2 and DLX3
+    #[command(after_help = help::EXPORT_XCC)]
+    ExportXcc(ExportXccArgs),
     /// Check packings from the definition
     #[command(after_help = help::VERIFY)]
     Verify(VerifyArgs),

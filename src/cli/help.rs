@@ -202,6 +202,36 @@ Examples:
 JSON fields (--json): size (a string of digits), tiles (with --list), kind, colors, set, checked \
 (whether the size was also found by listing).";
 
+/// Examples for `export-cnf`.
+pub const EXPORT_CNF: &str = "\
+Every packing is exactly one model, so a program that counts models counts packings. Comments in \
+the file say what the variables are. Nothing is left out: to keep only one of the translates of \
+each packing, pin a tile.
+
+Examples:
+  tilepack export-cnf --kind corner --colors 3 -o corner.cnf
+  cadical corner.cnf > corner.out; tilepack export-cnf --kind corner --colors 3 --model corner.out
+  tilepack export-cnf --kind corner --colors 3 --automorphism 3,0:+1 | minisat /dev/stdin
+
+Exit codes with --model: 0 a packing, 1 the solver says that there is none, 75 it gave no answer, \
+2 what it says is no packing.
+
+JSON fields (--json): result (written), format, variables, clauses, file; with --model result \
+(found, none or stopped), method, width, height, reason, file, and without -o the solution.";
+
+/// Examples for `export-xcc`.
+pub const EXPORT_XCC: &str = "\
+Cells and tiles are items, lattice points (for Wang tiles, edges) secondary items with colors; an \
+option is a tile in a cell. Coverings and compact sets need multiplicities, which DLX3 has. A \
+covering of a compact set cannot be said.
+
+Examples:
+  tilepack export-xcc --kind corner --colors 2 -o corner.dlx; dlx2 < corner.dlx
+  tilepack export-xcc --kind corner --colors 2 --set compact | dlx3
+
+JSON fields (--json): result (written), format (xcc or xcc with multiplicities), items, \
+secondary_items, options, file.";
+
 /// Examples for `cube`.
 pub const CUBE: &str = "\
 A corner cube has a color on each of eight corners, a Wang cube one on each of six faces. All of \

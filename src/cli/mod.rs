@@ -4,7 +4,7 @@
 //!   turn it into what the library wants and refuse what makes no sense.
 //! * One file a command: [`find`] (by [`construct`], [`anneal`], [`beam`] or [`cover`], whichever it
 //!   is told to or [`choose`]s), [`locate`], [`count`] (also by [`formula`]), [`list`],
-//!   [`estimate`], [`resume`], [`plan`], [`part`] (the command `run`), [`merge`], [`cluster`] (job
+//!   [`estimate`], [`export`] (for other solvers), [`resume`], [`plan`], [`part`] (the command `run`), [`merge`], [`cluster`] (job
 //!   files), [`verify`] (with [`recursive`]), [`show`], [`sets`], [`cube`]; [`ring`] is the option
 //!   `--ring` of two of them.
 //! * [`session`] runs a search with limits, [`signal`]s, [`progress`], [`eta`] (the time that is
@@ -30,6 +30,7 @@ pub mod duration;
 pub mod estimate;
 pub mod eta;
 pub mod exit;
+pub mod export;
 pub mod find;
 pub mod formula;
 pub mod found;
@@ -81,6 +82,8 @@ pub fn run() -> Exit {
         Command::Plan(args) => plan::run(args),
         Command::Run(args) => part::run(args),
         Command::Merge(args) => merge::run(args),
+        Command::ExportCnf(args) => export::run_cnf(args),
+        Command::ExportXcc(args) => export::run_xcc(args),
         Command::Verify(args) => verify::run(args),
         Command::Show(args) => show::run(args),
         Command::Sets(args) => sets::run(args),

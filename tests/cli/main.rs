@@ -11,6 +11,7 @@ mod count;
 mod cover;
 mod cube;
 mod estimate;
+mod export;
 mod files;
 mod find;
 mod list;
