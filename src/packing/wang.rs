@@ -40,7 +40,7 @@ pub(super) struct Slot<const N: usize> {
     /// The tiles that may ever stand there.
     ever: Words<N>,
     /// The slots of the neighbors placed before, or of the dummy.
-    pub(super) neighbors: [u32; 4],
+    neighbors: [u32; 4],
     /// Its tile.
     tile: u32,
 }

@@ -93,7 +93,7 @@ pub(super) struct Track<const N: usize, const L: usize> {
 impl<const N: usize, const L: usize> Track<N, L> {
     /// For by level the tiles that may ever stand there and the slots of the neighbors placed
     /// before; `None` where two cells one after the other touch on two sides.
-    pub fn new(partners: &[[Words<N>; 4]], steps: &[(Words<N>, [u32; 4])]) -> Option<Self> {
+    pub(super) fn new(partners: &[[Words<N>; 4]], steps: &[(Words<N>, [u32; 4])]) -> Option<Self> {
         let letters = [Letter::default(); LETTERS];
         let blank = Post { relation: APART as u8, count: 0, letters, last: 0 };
         let mut posts = vec![blank; steps.len()];

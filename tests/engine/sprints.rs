@@ -71,7 +71,10 @@ fn slice<P: Problem, S: Sink<P>>(
 fn walk<P: Problem>(mut problem: P, part: Option<Part>) -> Walk<P> {
     let part =
         part.map(|part| Part { depth: part.depth.clamp(1, problem.levels().max(1)), ..part });
-    let path = part.map_or_else(|| Path::root(&mut problem), |part| Path::part(&mut problem, part));
+    let path = match part {
+        None => Path::root(&mut problem),
+        Some(part) => Path::part(&mut problem, part),
+    };
     Walk::new(problem, Values::Lexicographic, path).within(part)
 }
 
