@@ -35,6 +35,7 @@ pub mod task;
 pub mod wang;
 pub mod wang_plan;
 pub mod wang_rule;
+mod wang_sprint;
 
 pub use frontier::{Cut, frontier};
 pub use job::{Job, Question};

@@ -52,6 +52,10 @@ impl<P: Labeled> Sink<P> for Leaves {
         matches!(self.purpose, Purpose::First)
     }
 
+    fn counts(&self) -> bool {
+        matches!(self.purpose, Purpose::Count)
+    }
+
     fn solution(&mut self, problem: &P, _: &[u32]) -> ControlFlow<Vec<u8>> {
         if matches!(self.purpose, Purpose::Count) {
             return ControlFlow::Continue(());

@@ -15,8 +15,9 @@ use super::reduction::Reduction;
 use super::table::Table;
 use super::wang_plan::{NEIGHBORS, WangPlan};
 use super::wang_rule::WangRule;
+use super::wang_sprint::Track;
 use super::{Labeled, Task, TaskError};
-use crate::search::{Alternatives, Problem, Words};
+use crate::search::{Alternatives, Problem, Sprint, Stretch, Words};
 use crate::torus::Cell;
 
 /// Which labels of a cell to give: dominoes have but one.
@@ -33,9 +34,9 @@ pub enum Shown {
 /// What the search keeps for a cell.
 #[derive(Debug, Clone, Copy)]
 #[repr(align(64))]
-struct Slot<const N: usize> {
+pub(super) struct Slot<const N: usize> {
     /// What its tile asks of the neighbors N, E, S, W; the dummy asks nothing.
-    asked: [Words<N>; 4],
+    pub(super) asked: [Words<N>; 4],
     /// The tiles that may ever stand there.
     ever: Words<N>,
     /// The slots of the neighbors placed before, or of the dummy.
@@ -48,19 +49,23 @@ struct Slot<const N: usize> {
 /// and at most `L` tiles; `QUOTIENT` with a prescribed automorphism.
 #[derive(Debug, Clone)]
 pub struct Wang<const N: usize, const L: usize, R, const QUOTIENT: bool> {
-    rule: R,
-    slots: Table<Slot<N>, L>,
+    pub(super) rule: R,
+    pub(super) slots: Table<Slot<N>, L>,
     /// By tile: the tiles that may be its neighbors N, E, S, W.
-    partners: Table<[Words<N>; 4], L>,
+    pub(super) partners: Table<[Words<N>; 4], L>,
     /// Whether the order of colors is fixed.
-    ordered: bool,
+    pub(super) ordered: bool,
     /// By level: colors of the two palettes used before it, when their order is fixed.
-    used: Vec<(u8, u8)>,
+    pub(super) used: Vec<(u8, u8)>,
+    /// All colors of the two palettes.
+    pub(super) all_used: (u8, u8),
     /// By those numbers, the first times `stride`: the tiles that may follow.
     follow: Vec<Words<N>>,
     stride: usize,
     shown: Shown,
     plan: WangPlan<N>,
+    /// What sprints need, where there are any.
+    pub(super) track: Option<Box<Track<N, L>>>,
 }
 
 impl<const N: usize, const L: usize, R: WangRule<N>, const QUOTIENT: bool> Wang<N, L, R, QUOTIENT> {
@@ -90,12 +95,19 @@ impl<const N: usize, const L: usize, R: WangRule<N>, const QUOTIENT: bool> Wang<
             ordered: ordered.is_some(),
             used: vec![(used, used); plan.steps.len() + 1],
             follow: if ordered.is_some() { plan.follow(palettes, stride) } else { Vec::new() },
+            all_used: (palettes.0 as u8, palettes.1 as u8),
             stride,
             shown,
+            track: None,
             plan,
         };
         match problem.prepare(task) {
-            Ok(()) => Ok(Some(problem)),
+            Ok(()) => {
+                if Self::SPRINTS {
+                    problem.track = problem.track();
+                }
+                Ok(Some(problem))
+            }
             Err(_) if !task.has_pins() => Ok(None),
             Err(cell) => {
                 let (row, column) = task.shape.position(cell);
@@ -133,6 +145,13 @@ impl<const N: usize, const L: usize, R: WangRule<N>, const QUOTIENT: bool> Wang<
         Ok(())
     }
 
+    /// What sprints need.
+    fn track(&self) -> Option<Box<Track<N, L>>> {
+        let steps = self.plan.steps.iter();
+        let steps: Vec<_> = steps.map(|step| (step.ever, step.neighbors)).collect();
+        Track::new(&self.plan.partners(), &steps).map(Box::new)
+    }
+
     #[inline(always)]
     fn candidates(&self, level: usize, slot: usize) -> Words<N> {
         let slot = &self.slots[slot];
@@ -159,6 +178,12 @@ impl<const N: usize, const L: usize, R: WangRule<N>, const QUOTIENT: bool> Probl
     for Wang<N, L, R, QUOTIENT>
 {
     type Alternatives = Words<N>;
+
+    const SPRINTS: bool = !QUOTIENT && R::BY_LEVEL && N <= 4;
+
+    fn sprint(&mut self, stretch: Stretch<'_, Words<N>>) -> Option<Sprint> {
+        if Self::SPRINTS { self.run(stretch) } else { None }
+    }
 
     fn levels(&self) -> usize {
         self.plan.steps.len()

@@ -12,6 +12,10 @@ pub trait WangRule<const N: usize>: Clone + Send + Sync {
     /// Whether [`WangRule::open`] decides alone even where a tile brings images along.
     const EXACT: bool;
 
+    /// Whether what is open at a level is kept by level, and is what was open at the one before
+    /// less the tile taken there.
+    const BY_LEVEL: bool = false;
+
     /// The tiles that may be placed at `level`.
     fn open(&self, level: usize) -> Words<N>;
 
@@ -47,6 +51,7 @@ impl<const N: usize, const L: usize> Once<N, L> {
 
 impl<const N: usize, const L: usize> WangRule<N> for Once<N, L> {
     const EXACT: bool = true;
+    const BY_LEVEL: bool = true;
 
     #[inline(always)]
     fn open(&self, level: usize) -> Words<N> {

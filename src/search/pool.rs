@@ -19,7 +19,7 @@ use std::time::{Duration, Instant};
 /// Nodes between two looks at the other threads, at first.
 const SLICE: u64 = 1 << 10;
 /// The most nodes between two looks.
-const LONGEST_SLICE: u64 = 1 << 14;
+const LONGEST_SLICE: u64 = 1 << 17;
 /// The time that slices are made to take at most, so that a search that is to stop, stops soon.
 const SLICE_TIME: Duration = Duration::from_millis(2);
 /// Time between two looks at the limits and two reports of progress.

@@ -1,6 +1,6 @@
 //! What a search walks over.
 
-use super::Alternatives;
+use super::{Alternatives, Sprint, Stretch};
 
 /// A tree of choices: at each of a fixed number of levels one of a set of alternatives.
 ///
@@ -26,4 +26,14 @@ pub trait Problem: Clone + Send + Sync {
 
     /// Takes back the choice last pushed, which was `choice` at `level`.
     fn pop(&mut self, level: usize, choice: u32);
+
+    /// Whether [`Problem::sprint`] may ever do something.
+    const SPRINTS: bool = false;
+
+    /// Walks on by itself, smallest alternatives first; `None` when it leaves that to the walk.
+    /// Afterwards the problem stands where [`Sprint::level`] and the choices of the stretch say.
+    fn sprint(&mut self, stretch: Stretch<'_, Self::Alternatives>) -> Option<Sprint> {
+        let _ = stretch;
+        None
+    }
 }

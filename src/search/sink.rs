@@ -12,6 +12,11 @@ pub trait Sink<P: Problem>: Send {
     /// Whether it may ever break off.
     fn breaks(&self) -> bool;
 
+    /// Whether the number of solutions, which the search knows, is all it wants.
+    fn counts(&self) -> bool {
+        false
+    }
+
     /// Takes the solution at which `problem` stands; `choices` are those of all levels.
     /// Breaking ends the search: of several such solutions the first of the walk counts.
     fn solution(&mut self, problem: &P, choices: &[u32]) -> ControlFlow<Self::Found>;
@@ -30,6 +35,10 @@ impl<P: Problem> Sink<P> for Count {
 
     fn breaks(&self) -> bool {
         false
+    }
+
+    fn counts(&self) -> bool {
+        true
     }
 
     #[inline(always)]

@@ -3,7 +3,7 @@
 //! The loop runs in slices of a bounded number of nodes, so that it needs no look at a clock or
 //! flag inside; between slices the path may be saved, measured or split. It allocates nothing.
 
-use super::{Alternatives, Part, Path, Problem, Sink, Values};
+use super::{Alternatives, Part, Path, Problem, Sink, Stretch, Values};
 use std::ops::ControlFlow;
 
 /// How a slice of a walk ended.
@@ -37,6 +37,9 @@ pub struct Walk<P: Problem> {
 fn in_part<A: Alternatives>(part: Option<Part>, choices: &[u32], alternatives: A) -> A {
     part.map_or(alternatives, |part| part.of(choices, alternatives))
 }
+
+/// Nodes left below which no sprint is worth its while.
+const SHORTEST_SPRINT: u64 = 512;
 
 impl<P: Problem> Walk<P> {
     /// A walk along `path`, for a problem without choices.
@@ -98,6 +101,13 @@ impl<P: Problem> Walk<P> {
         let levels = choices.len();
         // The level at which some alternatives belong to other parts, if there are any.
         let cut = part.map_or(usize::MAX, Part::level);
+        // Below which level the problem may sprint, if at all.
+        let lexicographic = values == Values::Lexicographic;
+        let (counts, sprints) = (sink.counts(), sink.counts() || sink.breaks());
+        let start = match P::SPRINTS && lexicographic && sprints {
+            true => part.map_or(0, Part::level),
+            false => usize::MAX,
+        };
         if levels == 0 {
             if left[0].is_empty() {
                 return Slice::Exhausted;
@@ -138,6 +148,23 @@ impl<P: Problem> Walk<P> {
                 here = problem.alternatives(level);
                 if level == cut {
                     here = in_part(*part, &choices[..level], here);
+                }
+                if P::SPRINTS
+                    && level >= start
+                    && budget - nodes >= SHORTEST_SPRINT
+                    && !here.is_empty()
+                {
+                    left[level] = here;
+                    let budget = budget - nodes;
+                    let stretch =
+                        Stretch { level, choices: &mut *choices, left: &mut *left, budget, counts };
+                    if let Some(sprint) = problem.sprint(stretch) {
+                        nodes += sprint.nodes;
+                        self.solutions += sprint.solutions;
+                        deepest = deepest.max(sprint.deepest);
+                        level = sprint.level;
+                        here = left[level];
+                    }
                 }
                 continue;
             }

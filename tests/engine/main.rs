@@ -6,4 +6,5 @@ mod inverses;
 mod paths;
 mod problems;
 mod resuming;
+mod sprints;
 mod threads;
