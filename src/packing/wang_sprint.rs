@@ -234,8 +234,8 @@ impl<const N: usize, const L: usize, R: WangRule<N>, const QUOTIENT: bool> Wang<
                 }
             }
         }
-        for at in base..level {
-            left[at] = track.frames[at].here;
+        for (at, left) in left.iter_mut().enumerate().take(level).skip(base) {
+            *left = track.frames[at].here;
         }
         left[level] = here;
         for (at, &choice) in choices.iter().enumerate().take(level).skip(base) {
