@@ -36,6 +36,9 @@ pub enum Way {
 /// # Errors
 /// Bad input.
 pub fn choose(args: &FindArgs) -> anyhow::Result<(Way, String)> {
+    if args.aspect.is_some() {
+        return Ok((Way::Cover, "--aspect is for coverings by annealing".into()));
+    }
     if let Some(tiles) = coverable(args)? {
         let why = format!("{tiles} tiles are too many to search for coverings of them");
         return Ok((Way::Cover, why));
@@ -70,9 +73,6 @@ fn coverable(args: &FindArgs) -> anyhow::Result<Option<u64>> {
         return Ok(None);
     }
     let set = set::tile_set(&args.problem.set, None)?;
-    if args.aspect.is_some() {
-        return Ok(Some(set.size()));
-    }
     let named = !set.is_compact() && set.kind() == Kind::Corner;
     let sized = args.problem.size.is_some() || args.problem.automorphism.is_none();
     Ok((named && sized && set.size() > MOST_TO_COVER).then_some(set.size()))

@@ -49,24 +49,6 @@ pub enum NotConstructed {
     Unknown(String),
 }
 
-/// The constructions, and what each covers, in words.
-pub fn names() -> &'static [(&'static str, &'static str)] {
-    &[
-        ("least ring", "all dominoes, any number of colors"),
-        ("Eulerian circuit", "any set of dominoes that has a ring"),
-        ("product of two rings", "all Wang tiles, CV^2 x CH^2"),
-        ("product of two of Wei's rings", "the same, recursive"),
-        ("rotated rings", "all corner tiles, C^2 x C^2, C odd"),
-        ("numbered 4x4 blocks", "all corner tiles, C^2 x C^2, C even"),
-        ("raised and rotated triangular numbers", "all corner tiles, C x C^3 and C^3 x C, C odd"),
-        ("product", "all corner tiles, from tori over coprime numbers of colors"),
-        ("extension", "all corner tiles, from a torus over fewer colors"),
-        ("shifted rows", "compact corner sets, a side C m with m a divisor of C"),
-        ("copies", "compact corner sets, from a torus over fewer colors"),
-        ("pairs put down and swapped", "compact Wang sets, any shape"),
-    ]
-}
-
 /// The packing of a set on a torus, if mathematics has one: without a seed the closed form, with
 /// one a member of its family.
 ///

@@ -11,7 +11,6 @@
 //!
 //! Source: Lagae 2007, sections 2.2 and 5.5; Schlömer 2012, sections 2.4 and 3.3.
 
-mod cube;
 mod cubes;
 mod decode;
 mod fault;
@@ -21,7 +20,6 @@ mod occurrences;
 mod recursion;
 mod rows;
 
-pub use cube::{CubeFault, check_cubes};
 pub use cubes::{CubePlace, CubesFault, check_cube_packing};
 pub use fault::{Fault, Place, Tile, Touch};
 pub use recursion::{Block, NotRecursive, Recursion, check_recursion};
