@@ -320,6 +320,9 @@ pub enum CountMethod {
     Search,
     /// The BEST theorem: rings of any set of dominoes
     Formula,
+    /// Corner tiles on a torus with short rows or columns: two halves of the torus that meet in
+    /// the middle, counted without looking at any packing as a whole
+    Rows,
 }
 
 /// All packings.

@@ -1,6 +1,6 @@
 //! `count`: the exact number of packings, by search, or by [`super::formula`].
 
-use super::args::CountArgs;
+use super::args::{CountArgs, CountMethod};
 use super::exit::Exit;
 use super::request::Request;
 use super::saving::Save;
@@ -22,7 +22,8 @@ pub fn run(args: &CountArgs) -> anyhow::Result<Exit> {
     }
     let task = problem::task(&args.problem, args.search.order)?;
     let question = Question::Count { up_to_symmetry: args.up_to_symmetry };
-    let job = Job { reduce: !args.search.plain, ..Job::new(task, question) };
+    let by_lines = args.method == CountMethod::Rows;
+    let job = Job { reduce: !args.search.plain, by_lines, ..Job::new(task, question) };
     job.check()?;
     let request = Request { json: args.json, ..Request::default() };
     let save = Save::asked(args.search.checkpoint.as_deref(), &job)?;
@@ -50,7 +51,7 @@ pub fn answer(
     };
     let nothing = counted.packings == BigUint::ZERO;
     tell(
-        &Told { job, done: &done, counted, reason: reason.as_deref(), how: "search" },
+        &Told { job, done: &done, counted, reason: reason.as_deref(), how: describe::method(job) },
         request.json,
     )?;
     done.tell_stop("the numbers are lower bounds");
@@ -115,8 +116,8 @@ impl Told<'_> {
         let torus = describe::torus(task.set.kind(), task.shape);
         let how = match (reason, &done.stopped) {
             (Some(reason), _) => format!("by an argument: {reason}"),
-            (None, Some(_)) => format!("by {how}, stopped early: {}", done.effort()),
-            (None, None) => format!("by {how}, complete: {}", done.effort()),
+            (None, Some(_)) => format!("by {how}, stopped early: {}", self.effort()),
+            (None, None) => format!("by {how}, complete: {}", self.effort()),
         };
         let checked = match (reason, job.up_to_symmetry(), !job.reduce) {
             (Some(_), ..) => "",
@@ -125,6 +126,17 @@ impl Told<'_> {
             (None, ..) => ", symmetry removed and multiplied back exactly",
         };
         format!("{set}, {torus}; {how}{checked}")
+    }
+
+    /// The work in words.
+    fn effort(&self) -> String {
+        match self.job.by_lines {
+            false => self.done.effort(),
+            true => {
+                let steps = describe::number(self.done.standing.orbits, "half");
+                format!("{steps} looked up, {}", self.done.effort())
+            }
+        }
     }
 
     /// The fields of the answer in JSON.
@@ -139,7 +151,14 @@ impl Told<'_> {
         let up_to_translation = up_to_translation.as_ref().map(BigUint::to_string);
         fields.push(("up_to_translation", json!(up_to_translation)));
         fields.extend(done.fields());
-        let method = if reason.is_some() { "argument" } else { "search" };
+        let method = match (reason, job.by_lines) {
+            (Some(_), _) => "argument",
+            (None, true) => "rows",
+            (None, false) => "search",
+        };
+        if job.by_lines {
+            fields.push(("steps", json!(done.standing.orbits.to_string())));
+        }
         fields.extend([("method", json!(method)), ("reason", json!(reason))]);
         fields
     }

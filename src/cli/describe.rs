@@ -113,6 +113,11 @@ pub fn nothing(task: &Task) -> String {
     format!("there is no {sought}{conditions}: the search went through all possibilities")
 }
 
+/// How packings are counted: `search`.
+pub fn method(job: &Job) -> &'static str {
+    if job.by_lines { "meeting in the middle over rows" } else { "search" }
+}
+
 /// `1 tile`, `2 tiles`.
 pub fn number(count: u64, what: &str) -> String {
     format!("{count} {what}{}", if count == 1 { "" } else { "s" })

@@ -97,7 +97,7 @@ fn merged_count(args: &MergeArgs, plan: &SearchPlan, merged: Merged) -> anyhow::
     let (job, done) = (&plan.job, done(&merged));
     let counted = counted(job, &done.standing)?;
     let nothing = counted.packings == BigUint::ZERO;
-    let how = format!("search in {}", describe::number(plan.parts, "part"));
+    let how = format!("{} in {}", describe::method(job), describe::number(plan.parts, "part"));
     let told = Told { job, done: &done, counted, reason: None, how: &how };
     if args.json {
         let mut fields = told.fields();

@@ -6,10 +6,11 @@
 
 use super::corner::Corner;
 use super::reduction::Reduction;
+use super::rows::Rows;
 use super::solve::SolveError;
 use super::task::tiles_to_choose;
 use super::wang::{Shown, Wang};
-use super::{Labeled, Task, TaskError, ring, rule, wang_rule};
+use super::{Job, Labeled, Task, TaskError, ring, rule, wang_rule};
 use crate::tiles::Kind;
 
 /// Something to do with a problem of any type.
@@ -23,6 +24,18 @@ pub trait Visitor {
     /// # Errors
     /// Whatever the visitor reports.
     fn visit<P: Labeled>(self, problem: Option<P>) -> Result<Self::Output, SolveError>;
+}
+
+/// Makes the problem of a job, which has been checked, and lets the visitor do with it what it
+/// is for.
+///
+/// # Errors
+/// What the visitor reports.
+pub fn with_job<V: Visitor>(job: &Job, visitor: V) -> Result<V::Output, SolveError> {
+    match job.by_lines {
+        true => visitor.visit(Some(Rows::new(&job.task))),
+        false => with_problem(&job.task, &job.reduction(), visitor),
+    }
 }
 
 /// Makes the problem of a task and lets the visitor do with it what it is for.

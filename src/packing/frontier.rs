@@ -1,6 +1,6 @@
 //! Where the search of a job is cut into parts.
 
-use super::dispatch::{Visitor, with_problem};
+use super::dispatch::{Visitor, with_job};
 use super::sinks::{Leaves, Purpose};
 use super::solve::SolveError;
 use super::{Job, Labeled};
@@ -21,7 +21,7 @@ pub enum Cut {
 /// When the job makes no sense.
 pub fn frontier(job: &Job, cut: Cut) -> Result<Frontier, SolveError> {
     job.check()?;
-    with_problem(&job.task, &job.reduction(), cut)
+    with_job(job, cut)
 }
 
 impl Visitor for Cut {

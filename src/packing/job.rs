@@ -4,6 +4,7 @@
 //! threads, so what one has left undone the other can take up. All that may differ without
 //! making another search (threads, limits, what is shown) is in [`Settings`](super::Settings).
 
+use super::rows::{self, RowsError};
 use super::Task;
 use super::reduction::Reduction;
 use super::sinks::Purpose;
@@ -41,6 +42,8 @@ pub struct Job {
     pub reduce: bool,
     /// Only this part of the search.
     pub part: Option<Part>,
+    /// Packings are counted by lines ([`super::rows`]) instead of one by one.
+    pub by_lines: bool,
 }
 
 /// The search for all that a task asks about, in lexicographic order, reduced.
@@ -53,7 +56,7 @@ impl From<&Task> for Job {
 impl Job {
     /// The whole search, in lexicographic order, reduced.
     pub fn new(task: Task, question: Question) -> Self {
-        Self { task, question, values: Values::Lexicographic, reduce: true, part: None }
+        Self { task, question, values: Values::Lexicographic, reduce: true, part: None, by_lines: false }
     }
 
     /// Checks that the job makes sense.
@@ -64,7 +67,17 @@ impl Job {
         if self.up_to_symmetry() && self.task.has_pins() {
             return Err(SolveError::PinnedOrbits);
         }
-        Ok(self.task.check()?)
+        self.task.check()?;
+        if self.by_lines {
+            if self.question != (Question::Count { up_to_symmetry: false }) {
+                return Err(RowsError::Asked("single packings or orbits").into());
+            }
+            if !self.reduce {
+                return Err(RowsError::Asked("symmetry that is not removed").into());
+            }
+            rows::check(&self.task)?;
+        }
+        Ok(())
     }
 
     /// Whether orbits are asked for.
@@ -84,7 +97,7 @@ impl Job {
 
     /// What the search assumes: as much as the question allows.
     pub fn reduction(&self) -> Reduction {
-        match (self.reduce, self.question) {
+        match (self.reduce && !self.by_lines, self.question) {
             (false, _) => Reduction::none(),
             (_, Question::First | Question::Count { up_to_symmetry: false }) => {
                 Reduction::full(&self.task)
@@ -107,6 +120,7 @@ impl Job {
             return Ok(Purpose::Orbits { canonizer, keep });
         }
         Ok(match self.question {
+            _ if self.by_lines => Purpose::Met,
             Question::First => Purpose::First,
             Question::Count { .. } => Purpose::Count,
             Question::List { .. } => Purpose::Keep,

@@ -26,6 +26,7 @@ pub mod last_lines;
 pub mod quotient;
 pub mod reduction;
 pub mod ring;
+pub mod rows;
 pub mod rule;
 pub mod sinks;
 pub mod solve;
@@ -45,12 +46,19 @@ pub use task::{MAX_SEARCH_COLORS, Task, TaskError};
 
 use crate::search::Problem;
 use last_lines::{Found, LastLines};
+use num_bigint::BigUint;
 
 /// A problem whose solutions are labels of a lattice.
 pub trait Labeled: Problem {
     /// Writes the labels of the solution at which the problem stands, in the order of
     /// [`crate::torus::Lattice`].
     fn write_labels(&self, labels: &mut Vec<u8>);
+
+    /// For problems whose leaves stand for many packings: the steps that counting them took, and
+    /// their number in a unit of the problem's own.
+    fn met(&self) -> Option<(u64, BigUint)> {
+        None
+    }
 
     /// Whether a look at the last lines shows that no solution lies below this state, with so
     /// many choices made; see [`LastLines::is_hopeless`].

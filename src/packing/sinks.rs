@@ -12,6 +12,8 @@ use std::ops::ControlFlow;
 pub enum Purpose {
     /// Nothing: the search counts.
     Count,
+    /// Leaves stand for many packings each, which are added up.
+    Met,
     /// The first ends the search.
     First,
     /// All are kept.
@@ -31,9 +33,9 @@ pub struct Leaves {
     labels: Vec<u8>,
     /// The packings kept, as labels, in no order.
     pub kept: Vec<Vec<u8>>,
-    /// Canonical packings met.
+    /// Canonical packings met; where leaves stand for many, the steps it took to count them.
     pub orbits: u64,
-    /// The sum of the sizes of their orbits.
+    /// The sum of the sizes of their orbits; or what the leaves stand for.
     pub orbit_sizes: BigUint,
 }
 
@@ -60,9 +62,16 @@ impl<P: Labeled> Sink<P> for Leaves {
         if matches!(self.purpose, Purpose::Count) {
             return ControlFlow::Continue(());
         }
+        if matches!(self.purpose, Purpose::Met) {
+            if let Some((steps, packings)) = problem.met() {
+                self.orbits += steps;
+                self.orbit_sizes += packings;
+            }
+            return ControlFlow::Continue(());
+        }
         problem.write_labels(&mut self.labels);
         match &mut self.purpose {
-            Purpose::Count => {}
+            Purpose::Count | Purpose::Met => {}
             Purpose::First => return ControlFlow::Break(self.labels.clone()),
             Purpose::Keep => self.kept.push(self.labels.clone()),
             Purpose::Orbits { canonizer, keep } => {

@@ -7,6 +7,7 @@
 
 use super::TaskError;
 use super::job::{Job, Question};
+use super::rows::{Rows, RowsError, line::Frame};
 use super::standing::{Keeper, Standing, run};
 use crate::search::{Effort, Limits, Progress, TrailError};
 use crate::symmetry::{Group, GroupError, orbits};
@@ -81,6 +82,9 @@ pub enum SolveError {
     /// The question makes no sense.
     #[error(transparent)]
     Task(#[from] TaskError),
+    /// The packings cannot be counted by lines.
+    #[error(transparent)]
+    Rows(#[from] RowsError),
     /// The symmetries cannot be had.
     #[error(transparent)]
     Group(#[from] GroupError),
@@ -97,6 +101,9 @@ pub enum SolveError {
         /// By the orbits.
         orbits: BigUint,
     },
+    /// Packings counted by lines do not add up to a whole number: an error in this program.
+    #[error("internal error: the packings counted by lines are no multiple of 1/{0}; please report this")]
+    Fraction(BigUint),
     /// What is to be taken up again belongs to another search.
     #[error("what was saved does not fit this search: {0}")]
     Trail(#[from] TrailError),
@@ -174,7 +181,10 @@ impl Work {
 /// When the check by orbits fails, which is an error in this program.
 pub fn counted(job: &Job, standing: &Standing) -> Result<Counted, SolveError> {
     let task = &job.task;
-    let packings = job.reduction().packings(standing.state.solutions);
+    let packings = match job.by_lines {
+        false => job.reduction().packings(standing.state.solutions),
+        true => by_lines(job, standing)?,
+    };
     // A part does not meet all translates that make up an orbit.
     let whole = standing.is_complete() && job.part.is_none();
     if job.up_to_symmetry() && whole && standing.orbit_sizes != packings {
@@ -186,6 +196,18 @@ pub fn counted(job: &Job, standing: &Standing) -> Result<Counted, SolveError> {
     let up_to_translation = (free && whole).then(|| &packings / task.shape.cells());
     let fundamental = job.up_to_symmetry().then_some(standing.orbits);
     Ok(Counted { packings, fundamental, up_to_translation })
+}
+
+/// The number of packings counted by lines; of a part or a count not yet complete, as many as it
+/// shows there are.
+fn by_lines(job: &Job, standing: &Standing) -> Result<BigUint, SolveError> {
+    let unit = BigUint::from(Rows::unit(Frame::of(&job.task).lines));
+    let packings = &standing.orbit_sizes / &unit;
+    let whole = standing.is_complete() && job.part.is_none();
+    if whole && &packings * &unit != standing.orbit_sizes {
+        return Err(SolveError::Fraction(unit));
+    }
+    Ok(packings)
 }
 
 /// The labels of all packings asked for, sorted, from those that the search of a job kept.

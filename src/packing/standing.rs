@@ -5,7 +5,7 @@
 //! on while that is written: being stopped and taken up again is the ordinary case, not a
 //! second way of working that only accidents would test.
 
-use super::dispatch::{Visitor, with_problem};
+use super::dispatch::{Visitor, with_job};
 use super::job::Job;
 use super::sinks::{Leaves, Purpose};
 use super::solve::SolveError;
@@ -21,9 +21,9 @@ pub struct Standing {
     pub state: State<Trail, Vec<u8>>,
     /// The number of choices of a solution.
     pub levels: usize,
-    /// Canonical packings met.
+    /// Canonical packings met; of a count by lines, the walks looked up.
     pub orbits: u64,
-    /// The sum of the sizes of their orbits.
+    /// The sum of the sizes of their orbits; of a count by lines, the packings in its unit.
     pub orbit_sizes: BigUint,
     /// The labels of packings to keep, in no order: those that nobody has taken yet.
     pub kept: Vec<Vec<u8>>,
@@ -62,7 +62,7 @@ pub fn run(
 ) -> Result<Standing, SolveError> {
     job.check()?;
     let purpose = job.purpose()?;
-    with_problem(&job.task, &job.reduction(), Search { job, from, settings, purpose })
+    with_job(job, Search { job, from, settings, purpose })
 }
 
 /// A search waiting for its problem.

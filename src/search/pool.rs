@@ -16,8 +16,6 @@ use std::sync::atomic::{AtomicBool, AtomicU64, AtomicUsize, Ordering::SeqCst};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 use std::time::{Duration, Instant};
 
-/// Nodes between two looks at the other threads, at first.
-const SLICE: u64 = 1 << 10;
 /// The most nodes between two looks.
 const LONGEST_SLICE: u64 = 1 << 17;
 /// The time that slices are made to take at most, so that a search that is to stop, stops soon.
@@ -118,7 +116,7 @@ where
         let mut handles = Vec::with_capacity(threads);
         for id in 0..threads {
             let (shared, values, part) = (&shared, plan.values, plan.part);
-            let worker = Worker { id, shared, values, part, slice: SLICE, tick: 0, found: 0 };
+            let worker = Worker { id, shared, values, part, slice: P::FIRST_SLICE, tick: 0, found: 0 };
             let (problem, copy) = (&plan.problem, copies.next());
             let (sink, done) = (sink(), done.clone());
             handles.push(scope.spawn(move || {

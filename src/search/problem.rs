@@ -27,6 +27,9 @@ pub trait Problem: Clone + Send + Sync {
     /// Takes back the choice last pushed, which was `choice` at `level`.
     fn pop(&mut self, level: usize, choice: u32);
 
+    /// Nodes of the first slice of a walk: fewer where a node takes long.
+    const FIRST_SLICE: u64 = 1 << 10;
+
     /// Whether [`Problem::sprint`] may ever do something.
     const SPRINTS: bool = false;
 

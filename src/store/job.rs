@@ -35,6 +35,9 @@ struct Text {
     /// Of random values; else they are lexicographic.
     seed: Option<u64>,
     symmetry_removed: bool,
+    /// Left out where it is not so: searches saved before there was anything else.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    by_lines: bool,
     #[serde(skip_serializing_if = "Option::is_none")]
     part: Option<PartText>,
 }
@@ -49,7 +52,7 @@ struct PartText {
 
 /// The text of a job.
 pub fn write_job(job: &Job) -> String {
-    let Job { task, question, values, reduce, part } = job;
+    let Job { task, question, values, reduce, part, by_lines } = job;
     let tiles = match task.set.members() {
         Members::Explicit(tiles) => Some(tiles.iter().map(|tile| tile.0).collect()),
         _ => None,
@@ -81,6 +84,7 @@ pub fn write_job(job: &Job) -> String {
             Values::Random(seed) => Some(*seed),
         },
         symmetry_removed: *reduce,
+        by_lines: *by_lines,
         part: part.map(|Part { number, of, depth }| PartText { number, of, depth }),
     };
     // Numbers, words and lists of them have a JSON form.
@@ -163,7 +167,8 @@ fn job(said: &Text) -> Result<Job, String> {
         Some(ref part) => return Err(format!("there is no part {} of {}", part.number, part.of)),
     };
     let values = said.seed.map_or(Values::Lexicographic, Values::Random);
-    Ok(Job { task, question, values, reduce: said.symmetry_removed, part })
+    let (reduce, by_lines) = (said.symmetry_removed, said.by_lines);
+    Ok(Job { task, question, values, reduce, part, by_lines })
 }
 
 /// The fingerprint of a text.
