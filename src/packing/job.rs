@@ -4,9 +4,9 @@
 //! threads, so what one has left undone the other can take up. All that may differ without
 //! making another search (threads, limits, what is shown) is in [`Settings`](super::Settings).
 
-use super::rows::{self, RowsError};
 use super::Task;
 use super::reduction::Reduction;
+use super::rows::{self, RowsError};
 use super::sinks::Purpose;
 use super::solve::SolveError;
 use crate::search::{Part, Values};
@@ -56,7 +56,14 @@ impl From<&Task> for Job {
 impl Job {
     /// The whole search, in lexicographic order, reduced.
     pub fn new(task: Task, question: Question) -> Self {
-        Self { task, question, values: Values::Lexicographic, reduce: true, part: None, by_lines: false }
+        Self {
+            task,
+            question,
+            values: Values::Lexicographic,
+            reduce: true,
+            part: None,
+            by_lines: false,
+        }
     }
 
     /// Checks that the job makes sense.

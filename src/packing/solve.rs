@@ -102,7 +102,9 @@ pub enum SolveError {
         orbits: BigUint,
     },
     /// Packings counted by lines do not add up to a whole number: an error in this program.
-    #[error("internal error: the packings counted by lines are no multiple of 1/{0}; please report this")]
+    #[error(
+        "internal error: the packings counted by lines are no multiple of 1/{0}; please report this"
+    )]
     Fraction(BigUint),
     /// What is to be taken up again belongs to another search.
     #[error("what was saved does not fit this search: {0}")]

@@ -116,7 +116,8 @@ where
         let mut handles = Vec::with_capacity(threads);
         for id in 0..threads {
             let (shared, values, part) = (&shared, plan.values, plan.part);
-            let worker = Worker { id, shared, values, part, slice: P::FIRST_SLICE, tick: 0, found: 0 };
+            let worker =
+                Worker { id, shared, values, part, slice: P::FIRST_SLICE, tick: 0, found: 0 };
             let (problem, copy) = (&plan.problem, copies.next());
             let (sink, done) = (sink(), done.clone());
             handles.push(scope.spawn(move || {

@@ -50,7 +50,8 @@ fn compact_sets() {
 
 #[test]
 fn compact_sets_that_keep_a_symmetry() {
-    for (shape, text) in [("9x6", "3,0:+1"), ("6x9", "2,0:+1"), ("6x9", "0,3:+1"), ("9x6", "0,2:+1")]
+    for (shape, text) in
+        [("9x6", "3,0:+1"), ("6x9", "2,0:+1"), ("6x9", "0,3:+1"), ("9x6", "0,2:+1")]
     {
         let mut task = task(3, Members::Compact, shape);
         let automorphism = Automorphism::parse(text, task.set.colors(), task.shape).unwrap();
@@ -63,8 +64,7 @@ fn compact_sets_that_keep_a_symmetry() {
 #[test]
 fn the_quotient_of_three_colors() {
     let mut task = task(3, Members::Complete, "9x9");
-    task.automorphism =
-        Some(Automorphism::parse("3,0:+1", task.set.colors(), task.shape).unwrap());
+    task.automorphism = Some(Automorphism::parse("3,0:+1", task.set.colors(), task.shape).unwrap());
     assert_eq!(by(&task, true), BigUint::from(303_264u32));
 }
 
@@ -76,12 +76,12 @@ fn sets_of_any_tiles() {
         (seed >> 33) % below
     };
     let mut packings = BigUint::ZERO;
-    for (shape, colors) in [("3x4", 2), ("4x4", 3), ("3x5", 3), ("3x4", 3), ("5x4", 3), ("2x7", 3)] {
+    for (shape, colors) in [("3x4", 2), ("4x4", 3), ("3x5", 3), ("3x4", 3), ("5x4", 3), ("2x7", 3)]
+    {
         for _ in 0..30 {
             // The windows of a random picture, so that there may be something to find.
             let shape: Shape = shape.parse().unwrap();
-            let picture: Vec<u8> =
-                (0..shape.cells()).map(|_| random(colors) as u8).collect();
+            let picture: Vec<u8> = (0..shape.cells()).map(|_| random(colors) as u8).collect();
             let mut tiles: Vec<TileId> = (0..shape.cells())
                 .map(|cell| {
                     let (row, column) = (cell / shape.width(), cell % shape.width());

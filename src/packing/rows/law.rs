@@ -94,9 +94,7 @@ impl Law {
 
     /// The key of a packing.
     pub fn whole(&self) -> u64 {
-        let add = |sum: u64, class| {
-            sum.wrapping_add(weight(class).wrapping_mul(self.need.into()))
-        };
+        let add = |sum: u64, class| sum.wrapping_add(weight(class).wrapping_mul(self.need.into()));
         (0..self.classes).fold(0, add)
     }
 
@@ -105,13 +103,20 @@ impl Law {
         self.classes as usize * self.patterns.len()
     }
 
-    /// The letters of a part: what it uses, class by class. A letter is a class together with a
-    /// pattern, so parts go together if no two of their letters are in conflict.
-    pub fn letters(&self, mask: Mask) -> impl Iterator<Item = u8> {
-        let count = self.patterns.len() as u32;
-        self.uses(mask)
-            .filter(|&(_, pattern)| pattern != 0)
-            .map(move |(class, pattern)| (class * count) as u8 + self.offset[pattern as usize])
+    /// Writes the letters of a part: what it uses, class by class. A letter is a class together
+    /// with a pattern, so parts go together if no two of their letters are in conflict.
+    pub fn letters(&self, mask: Mask, letters: &mut [u8]) {
+        let (bits, count) = ((1 << self.size) - 1, self.patterns.len() as u32);
+        let mut left = mask;
+        for letter in letters {
+            if left == 0 {
+                return;
+            }
+            let class = left.trailing_zeros() / self.size;
+            let pattern = (left >> (class * self.size)) as u32 & bits;
+            left &= !(Mask::from(bits) << (class * self.size));
+            *letter = (class * count) as u8 + self.offset[pattern as usize];
+        }
     }
 
     /// The letters in conflict with a letter, itself among them.
@@ -119,9 +124,8 @@ impl Law {
         let count = self.patterns.len();
         let (first, at) = (usize::from(letter) / count * count, usize::from(letter) % count);
         let pattern = self.patterns[at];
-        let conflict = move |other: u32| {
-            pattern & other != 0 || (pattern | other).count_ones() > self.need
-        };
+        let conflict =
+            move |other: u32| pattern & other != 0 || (pattern | other).count_ones() > self.need;
         let others = self.patterns.iter().enumerate();
         others.filter(move |&(_, &other)| conflict(other)).map(move |(at, _)| (first + at) as u8)
     }

@@ -24,6 +24,15 @@ pub type State = u16;
 /// 128 tiles has one side more often. Colors beyond the fourth are not counted.
 pub type Dominoes = u128;
 
+/// What is between two lines.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct Between {
+    /// The tiles.
+    pub mask: Mask,
+    /// Their key.
+    pub key: u64,
+}
+
 /// How lines lie on the torus.
 #[derive(Debug, Clone, Copy)]
 pub struct Frame {
@@ -39,9 +48,10 @@ impl Frame {
     /// Of a task: as its order says, else along the short side; rows of a square.
     pub fn of(task: &Task) -> Self {
         let (w, h) = (task.shape.width(), task.shape.height());
-        let along_columns = task.automorphism.as_ref().map_or(h < w, |automorphism| {
-            automorphism.dx == 0 && automorphism.dy != 0
-        });
+        let along_columns = task
+            .automorphism
+            .as_ref()
+            .map_or(h < w, |automorphism| automorphism.dx == 0 && automorphism.dy != 0);
         let transposed = match task.order {
             Some(Order::Column) => true,
             Some(Order::Row) => false,
@@ -69,11 +79,9 @@ pub struct Lines {
     /// What the set demands.
     pub law: Law,
     /// By state: the states that may follow, with the tiles between.
-    pub after: Vec<Vec<(State, Mask)>>,
-    /// By state: the states that it may follow.
-    pub before: Vec<Vec<(State, Mask)>>,
-    /// The tiles between two states, `0` if they cannot follow each other.
-    between: Vec<Mask>,
+    pub after: Vec<Vec<(State, Between)>>,
+    /// What is between two states, no tiles if they cannot follow each other.
+    between: Vec<Between>,
     /// The classes, in the order in which they are done.
     pub classes: Vec<Class>,
     /// By state: the place of its class in that order.
@@ -96,8 +104,7 @@ impl Lines {
         let mut lines = Self {
             frame,
             after: vec![Vec::new(); n],
-            before: vec![Vec::new(); n],
-            between: vec![0; n * n],
+            between: vec![Between::default(); n * n],
             classes: Vec::new(),
             class: vec![0; n],
             kind: Vec::new(),
@@ -108,9 +115,9 @@ impl Lines {
         for (a, first) in states.iter().enumerate() {
             for (b, second) in states.iter().enumerate() {
                 if let Some(mask) = lines.tiles(&task.set, first, second) {
-                    lines.after[a].push((b as State, mask));
-                    lines.before[b].push((a as State, mask));
-                    lines.between[a * n + b] = mask;
+                    let between = Between { mask, key: lines.law.key(mask) };
+                    lines.after[a].push((b as State, between));
+                    lines.between[a * n + b] = between;
                 }
             }
         }
@@ -132,11 +139,11 @@ impl Lines {
         self.class.len()
     }
 
-    /// The tiles between two states, if the second may follow the first.
+    /// What is between two states, if the second may follow the first.
     #[inline(always)]
-    pub fn between(&self, first: State, second: State) -> Option<Mask> {
-        let mask = self.between[usize::from(first) * self.states() + usize::from(second)];
-        (mask != 0).then_some(mask)
+    pub fn between(&self, first: State, second: State) -> Option<Between> {
+        let between = self.between[usize::from(first) * self.states() + usize::from(second)];
+        (between.mask != 0).then_some(between)
     }
 
     /// The dominoes along a state.

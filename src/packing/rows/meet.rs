@@ -124,15 +124,23 @@ impl Side {
         for between in 0..lines.states() as State {
             let groups = (second.of(between), self.from_start.of(between));
             let all = |_| u128::MAX;
-            join(&lines.law, groups, all, &mut state, |_, _| {}, |(walks, seen), x, y, real| {
-                if real {
-                    let key = x.key.wrapping_add(y.key);
-                    walks.push((key, Entry::new(x.mask | y.mask, key, x.alike + y.alike)));
-                    seen[y.sum as usize * columns + x.sum as usize] = true;
-                }
-            });
+            join(
+                &lines.law,
+                groups,
+                all,
+                &mut state,
+                |_, _| {},
+                |(walks, seen), x, y, real| {
+                    if real {
+                        let key = x.key.wrapping_add(y.key);
+                        walks.push((key, Entry::new(x.mask | y.mask, key, x.alike + y.alike)));
+                        seen[y.sum as usize * columns + x.sum as usize] = true;
+                    }
+                },
+            );
         }
-        let place = |at: usize| first_sums.dominoes[at / columns] + second_sums.dominoes[at % columns];
+        let place =
+            |at: usize| first_sums.dominoes[at / columns] + second_sums.dominoes[at % columns];
         let seen = state.1.iter().enumerate().filter(|&(_, &seen)| seen);
         seen.map(|(at, _)| place(at)).collect()
     }

@@ -108,9 +108,10 @@ pub fn check(task: &Task) -> Result<(), RowsError> {
     }
     let (length, colors) = (frame.length, task.set.colors().horizontal());
     // An automorphism leaves fewer states; those of a part of the line are enumerated.
-    let free = task.automorphism.as_ref().map_or(length, |automorphism| {
-        length / automorphism.order(task.shape)
-    });
+    let free = task
+        .automorphism
+        .as_ref()
+        .map_or(length, |automorphism| length / automorphism.order(task.shape));
     let states = colors.checked_pow(free as u32).filter(|&states| states <= MOST_STATES);
     if states.is_none() {
         return Err(RowsError::States { length: free, colors });

@@ -4,8 +4,8 @@
 //! number of them, which is only worked out when somebody asks ([`Labeled::met`]): walking the
 //! tree itself costs nothing.
 
-use super::meet::{Met, Room, Side};
 use super::line::{Lines, State};
+use super::meet::{Met, Room, Side};
 use crate::packing::{Labeled, Task};
 use crate::search::{Alternatives, Problem, Words};
 use num_bigint::BigUint;

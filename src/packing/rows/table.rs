@@ -138,8 +138,7 @@ impl Desk {
         let Self { queries, filled, ranges, pairs } = self;
         let count = std::mem::take(filled);
         let kept = retain(&mut queries[..count], |key| bit(&table.small, small_place(key)));
-        let kept =
-            retain(&mut queries[..kept], |key| bit(&table.large, key >> table.large_shift));
+        let kept = retain(&mut queries[..kept], |key| bit(&table.large, key >> table.large_shift));
         let queries = &queries[..kept];
         for (query, range) in queries.iter().zip(ranges.iter_mut()) {
             let at = (query.key >> table.shift) as usize;

@@ -1,12 +1,11 @@
 //! All walks of a few pairs of lines with one end in common, in groups by the other end.
 
-use super::law::Mask;
-use super::line::{Dominoes, Lines, State};
+use super::law::{Law, Mask};
+use super::line::{Between, Dominoes, Lines, State};
 use rayon::prelude::*;
-use std::collections::HashMap;
 
 /// A walk.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, Default)]
 pub struct Walk {
     /// The tiles it uses.
     pub mask: Mask,
@@ -19,14 +18,13 @@ pub struct Walk {
 }
 
 /// Walks, in groups of those with one end in common, and in a group by their sums.
-#[derive(Debug, Default)]
+#[derive(Debug)]
 pub struct Walks {
-    groups: Vec<std::ops::Range<usize>>,
-    walks: Vec<Walk>,
-    /// Letters of a walk; all have as many, with one that conflicts with nothing for those
+    /// The walks and their letters.
+    groups: Vec<(Vec<Walk>, Vec<u8>)>,
+    /// Letters of a walk: as many as there are, with one that conflicts with nothing for those
     /// missing.
     stride: usize,
-    letters: Vec<u8>,
 }
 
 /// Walks of one group.
@@ -49,34 +47,38 @@ impl Group<'_> {
     }
 }
 
-/// Numbers for sums of dominoes.
-#[derive(Debug, Default)]
+/// Numbers for the sums of the dominoes along so many lines.
+#[derive(Debug)]
 pub struct Sums {
-    numbers: HashMap<Dominoes, u32>,
-    /// By number.
+    kinds: usize,
+    /// By lines added so far: by the number of their sum and the kind of the next line the number
+    /// of the new sum.
+    next: Vec<Vec<u32>>,
+    /// By number: the sum of all.
     pub dominoes: Vec<Dominoes>,
 }
 
 impl Sums {
-    /// All sums of so many kinds.
-    pub fn new(lines: &Lines, terms: usize) -> Self {
-        let mut sums = Self::default();
-        let mut last = vec![0];
-        for _ in 0..terms {
-            last = last.iter().flat_map(|sum| lines.kinds.iter().map(move |k| sum + k)).collect();
-            last.sort_unstable();
-            last.dedup();
-        }
-        for sum in last {
-            sums.numbers.insert(sum, sums.dominoes.len() as u32);
-            sums.dominoes.push(sum);
+    /// All sums of so many lines.
+    pub fn new(lines: &Lines, count: usize) -> Self {
+        let kinds = &lines.kinds;
+        let mut sums = Self { kinds: kinds.len(), next: Vec::new(), dominoes: vec![0] };
+        for _ in 0..count {
+            let longer = sums.dominoes.iter().flat_map(|sum| kinds.iter().map(move |k| sum + k));
+            let longer: Vec<Dominoes> = longer.collect();
+            let mut distinct = longer.clone();
+            distinct.sort_unstable();
+            distinct.dedup();
+            let number = |sum| distinct.partition_point(|other| other < sum) as u32;
+            sums.next.push(longer.iter().map(number).collect());
+            sums.dominoes = distinct;
         }
         sums
     }
 
-    /// The number of a sum, if it is one.
-    pub fn number(&self, dominoes: Dominoes) -> Option<u32> {
-        self.numbers.get(&dominoes).copied()
+    #[inline(always)]
+    fn add(&self, count: usize, sum: u32, kind: u16) -> u32 {
+        self.next[count][sum as usize * self.kinds + usize::from(kind)]
     }
 }
 
@@ -102,9 +104,34 @@ pub struct Wanted<'a> {
 /// A walk being extended.
 #[derive(Debug, Clone, Copy)]
 struct Part {
-    mask: Mask,
-    dominoes: Dominoes,
+    tiles: Between,
+    /// Lines counted.
+    count: usize,
+    sum: u32,
     alike: u8,
+}
+
+/// What two parts use together, if they go together.
+fn join(law: &Law, one: Between, other: Between) -> Option<Between> {
+    let mask = law.join(one.mask, other.mask)?;
+    Some(Between { mask, key: one.key.wrapping_add(other.key) })
+}
+
+/// By their sums: there are few of them, so counting is quickest.
+fn sorted(walks: &[Walk], sums: usize) -> Vec<Walk> {
+    let mut places = vec![0u32; sums];
+    walks.iter().for_each(|walk| places[walk.sum as usize] += 1);
+    let mut end = 0;
+    for place in &mut places {
+        (*place, end) = (end, end + *place);
+    }
+    let mut sorted = vec![Walk::default(); walks.len()];
+    for walk in walks {
+        let place = &mut places[walk.sum as usize];
+        sorted[*place as usize] = *walk;
+        *place += 1;
+    }
+    sorted
 }
 
 impl Wanted<'_> {
@@ -114,8 +141,8 @@ impl Wanted<'_> {
 
     fn counted(&self, part: Part, state: State) -> Part {
         let alike = u8::from(self.lines.class[usize::from(state)] == self.class);
-        let dominoes = part.dominoes + self.lines.dominoes(state);
-        Part { dominoes, alike: part.alike + alike, ..part }
+        let sum = self.sums.add(part.count, part.sum, self.lines.kind[usize::from(state)]);
+        Part { count: part.count + 1, sum, alike: part.alike + alike, ..part }
     }
 
     /// The walks whose other end is this state.
@@ -123,63 +150,52 @@ impl Wanted<'_> {
         let mut walks = Vec::new();
         if self.has(other) {
             let (from, to) = if self.towards { (other, self.end) } else { (self.end, other) };
-            let start = Part { mask: 0, dominoes: 0, alike: 0 };
+            let start = Part { tiles: Between::default(), count: 0, sum: 0, alike: 0 };
             let start = if self.counts { self.counted(start, other) } else { start };
             self.extend(from, to, start, self.pairs, &mut walks);
         }
-        walks.sort_unstable_by_key(|walk| walk.sum);
-        walks
+        sorted(&walks, self.sums.dominoes.len())
     }
 
     fn extend(&self, at: State, to: State, part: Part, pairs: usize, walks: &mut Vec<Walk>) {
         let law = &self.lines.law;
         if pairs == 1 {
             let last = self.lines.between(at, to);
-            if let Some(mask) = last.and_then(|tiles| law.join(part.mask, tiles)) {
-                let sum = self.sums.number(part.dominoes).unwrap_or(0);
-                walks.push(Walk { mask, key: law.key(mask), sum, alike: part.alike });
+            if let Some(Between { mask, key }) = last.and_then(|last| join(law, part.tiles, last)) {
+                let Part { sum, alike, .. } = part;
+                walks.push(Walk { mask, key, sum, alike });
             }
             return;
         }
         for &(next, tiles) in &self.lines.after[usize::from(at)] {
-            if let Some(mask) = law.join(part.mask, tiles).filter(|_| self.has(next)) {
-                self.extend(next, to, self.counted(Part { mask, ..part }, next), pairs - 1, walks);
+            if let Some(tiles) = join(law, part.tiles, tiles).filter(|_| self.has(next)) {
+                self.extend(next, to, self.counted(Part { tiles, ..part }, next), pairs - 1, walks);
             }
         }
     }
 
     /// All of them.
     pub fn walks(&self) -> Walks {
+        let stride = self.pairs * self.lines.frame.length;
         let law = &self.lines.law;
-        let states: Vec<State> = (0..self.lines.states() as State).collect();
-        let groups: Vec<Vec<Walk>> = states.par_iter().map(|&state| self.group(state)).collect();
-        let longest = |walks: &Vec<Walk>| {
-            walks.iter().map(|walk| law.letters(walk.mask).count()).max().unwrap_or(0)
-        };
-        let stride = groups.par_iter().map(longest).max().unwrap_or(0);
-        let count = groups.iter().map(Vec::len).sum();
-        let mut all = Walks { stride, walks: Vec::with_capacity(count), ..Walks::default() };
-        all.letters.reserve_exact(count * stride);
-        let none = law.alphabet() as u8;
-        for group in groups {
-            let first = all.walks.len();
-            for walk in group {
-                let before = all.letters.len();
-                all.letters.extend(law.letters(walk.mask));
-                all.letters.resize(before + stride, none);
-                all.walks.push(walk);
+        let group = |state: State| {
+            let walks = self.group(state);
+            let mut letters = vec![law.alphabet() as u8; walks.len() * stride];
+            for (walk, letters) in walks.iter().zip(letters.chunks_exact_mut(stride)) {
+                law.letters(walk.mask, letters);
             }
-            all.groups.push(first..all.walks.len());
-        }
-        all
+            (walks, letters)
+        };
+        let states: Vec<State> = (0..self.lines.states() as State).collect();
+        let groups = states.par_iter().map(|&state| group(state)).collect();
+        Walks { groups, stride }
     }
 }
 
 impl Walks {
     /// The walks of a group.
     pub fn of(&self, state: State) -> Group<'_> {
-        let range = self.groups[usize::from(state)].clone();
-        let letters = range.start * self.stride..range.end * self.stride;
-        Group { walks: &self.walks[range], letters: &self.letters[letters], stride: self.stride }
+        let (walks, letters) = &self.groups[usize::from(state)];
+        Group { walks, letters, stride: self.stride }
     }
 }
