@@ -13,6 +13,7 @@ pub use parts::{ClusterCommand, JobArgs, MergeArgs, PartArgs, PlanArgs, SlurmArg
 
 use super::ring::RingOrder;
 use super::{duration, help};
+use crate::packing::Prunings;
 use crate::tiles::Kind;
 use crate::torus::Order;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
@@ -168,6 +169,11 @@ pub struct SearchArgs {
     /// Search without removing symmetry first: slow, for checking; same answer
     #[arg(long)]
     pub plain: bool,
+    /// What cuts the tree of corner packings: caps (no domino more often than the set has it),
+    /// last-rows (the open rows can be closed), caps,last-rows or none; it changes the nodes, not
+    /// the packings
+    #[arg(long, value_name = "LIST", default_value_t)]
+    pub prunings: Prunings,
     /// Save the search to this file while it runs; if the file is there, go on from it. DIR/ is
     /// a file in that folder named after the search [without FILE: checkpoints/]
     #[arg(long, value_name = "FILE", num_args = 0..=1, default_missing_value = "checkpoints/")]

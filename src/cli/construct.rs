@@ -8,6 +8,7 @@ use super::exit::Exit;
 use super::ring::RingOrder;
 use super::{describe, duration, output, problem, ring};
 use crate::construct::{Constructed, NotConstructed, construct};
+use crate::packing::Prunings;
 use crate::packing::Task;
 use crate::packing::task::TaskError;
 use crate::store::{
@@ -73,6 +74,7 @@ pub(super) fn asks_for_search(args: &FindArgs) -> Option<&'static str> {
         (search.order.is_some(), "--order"),
         (args.values == ValueOrder::Random, "--values random"),
         (search.plain, "--plain"),
+        (search.prunings != Prunings::default(), "--prunings"),
         (search.checkpoint.is_some(), "--checkpoint"),
         (search.run.status.is_some(), "--status"),
     ];

@@ -20,7 +20,7 @@ pub fn run(args: &CountArgs) -> anyhow::Result<Exit> {
     if let Some(exit) = formula::answer(args)? {
         return Ok(exit);
     }
-    let task = problem::task(&args.problem, args.search.order)?;
+    let task = problem::search_task(&args.problem, &args.search)?;
     let question = Question::Count { up_to_symmetry: args.up_to_symmetry };
     let by_lines = args.method == CountMethod::Rows;
     let job = Job { reduce: !args.search.plain, by_lines, ..Job::new(task, question) };

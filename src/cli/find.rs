@@ -72,7 +72,7 @@ fn tell(args: &FindArgs, method: &str, why: &str) {
 
 /// Exhaustive search; `why` it was chosen, if it was not asked for.
 fn search(args: &FindArgs, why: Option<String>) -> anyhow::Result<Exit> {
-    let task = problem::task(&args.problem, args.search.order)?;
+    let task = problem::search_task(&args.problem, &args.search)?;
     let values = match args.values {
         ValueOrder::Lexicographic => Values::Lexicographic,
         ValueOrder::Random => Values::Random(args.search.seed),

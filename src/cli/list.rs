@@ -18,7 +18,7 @@ use std::io::{self, Write};
 /// # Errors
 /// Bad input, or a file that cannot be written.
 pub fn run(args: &ListArgs) -> anyhow::Result<Exit> {
-    let task = problem::task(&args.problem, args.search.order)?;
+    let task = problem::search_task(&args.problem, &args.search)?;
     let question = Question::List { up_to_symmetry: args.up_to_symmetry };
     let job = Job { reduce: !args.search.plain, ..Job::new(task, question) };
     job.check()?;

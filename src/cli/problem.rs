@@ -1,6 +1,6 @@
 //! Raw arguments to a validated [`Task`]: every mistake in them is told before any work is done.
 
-use super::args::ProblemArgs;
+use super::args::{ProblemArgs, SearchArgs};
 use super::{output, set};
 use crate::packing::Task;
 use crate::store::{Input, read_pins};
@@ -25,6 +25,17 @@ pub fn set_and_shape(args: &ProblemArgs) -> anyhow::Result<(TileSet, Shape)> {
         None => Shape::default_for(&set)?,
     };
     Ok((set, shape))
+}
+
+/// The task of a search.
+///
+/// # Errors
+/// As [`task`].
+pub fn search_task(args: &ProblemArgs, search: &SearchArgs) -> anyhow::Result<Task> {
+    let prunings = search.prunings;
+    let task = Task { prunings, ..task(args, search.order)? };
+    task.check()?;
+    Ok(task)
 }
 
 /// The task that the options describe.

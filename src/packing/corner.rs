@@ -482,5 +482,10 @@ fn caps<const W: usize, const C: usize>(task: &Task) -> Caps<W, C> {
     let tiles =
         set.allowed().map(|tile| window_colors(set, Kind::Corner.unpack(tile, set.colors())));
     let share = if set.is_compact() { (2, count as u64) } else { (1, 1) };
-    Caps::new(count, tiles, share, task.shape.cells() as u64 - set.size())
+    // Without caps as many as there are windows, with images.
+    let spare = match task.prunings.caps {
+        true => task.shape.cells() as u64 - set.size(),
+        false => task.shape.cells() as u64,
+    };
+    Caps::new(count, tiles, share, spare)
 }

@@ -5,11 +5,13 @@
 //! type is chosen. What is to be done with the problem comes as a [`Visitor`].
 
 use super::corner::Corner;
+use super::last_lines::LastLines;
 use super::reduction::Reduction;
 use super::rows::Rows;
 use super::solve::SolveError;
 use super::task::tiles_to_choose;
 use super::wang::{Shown, Wang};
+use super::watched::Watched;
 use super::{Job, Labeled, Task, TaskError, ring, rule, wang_rule};
 use crate::tiles::Kind;
 
@@ -70,11 +72,40 @@ fn corner<V: Visitor>(
     reduction: &Reduction,
     visitor: V,
 ) -> Result<V::Output, SolveError> {
+    if task.prunings.last_lines
+        && let Some(last) = LastLines::new(task, reduction)
+    {
+        return watched(task, reduction, last, visitor);
+    }
     let cells = task.shape.cells();
     match (task.set.colors().horizontal(), cells) {
         (0..=4, 0..=511) => corner_words::<1, 4, 64, 512, V>(task, reduction, visitor),
         (0..=8, 0..=8191) => corner_words::<2, 8, 512, 8192, V>(task, reduction, visitor),
         _ => corner_words::<16, 64, 262_144, 65536, V>(task, reduction, visitor),
+    }
+}
+
+/// Packings over few colors, with a look at the last lines.
+fn watched<V: Visitor>(
+    task: &Task,
+    reduction: &Reduction,
+    last: LastLines,
+    visitor: V,
+) -> Result<V::Output, SolveError> {
+    fn over<V: Visitor, P: Labeled>(
+        visitor: V,
+        problem: Result<Option<P>, TaskError>,
+        last: LastLines,
+    ) -> Result<V::Output, SolveError> {
+        visitor.visit(problem?.map(|problem| Watched::new(problem, last)))
+    }
+    type Small<R, const QUOTIENT: bool> = Corner<R, 1, 4, 512, QUOTIENT>;
+    let (once, pairs) = (rule::Once::<64>::new, rule::Pairs::<64>::new);
+    match (task.set.is_compact(), task.automorphism.is_some()) {
+        (true, true) => over(visitor, Small::<_, true>::new(task, reduction, pairs), last),
+        (true, false) => over(visitor, Small::<_, false>::new(task, reduction, pairs), last),
+        (false, true) => over(visitor, Small::<_, true>::new(task, reduction, once), last),
+        (false, false) => over(visitor, Small::<_, false>::new(task, reduction, once), last),
     }
 }
 

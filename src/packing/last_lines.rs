@@ -18,6 +18,11 @@ use crate::search::{Alternatives, Words};
 use crate::tiles::Kind;
 use crate::torus::{Cell, Order};
 
+/// Colors with which the search may make these looks, at most.
+pub const MOST_COLORS: usize = 4;
+/// Cells of a torus on which it may.
+pub const MOST_CELLS: usize = 511;
+
 /// States are numbers below this, for their sets to be words.
 const STATES: usize = 16;
 /// Lines that are left open by the line being filled, at most.

@@ -3,6 +3,8 @@
 //! A task is checked once, here; the problems built from it may rely on what is checked.
 
 use super::impossible;
+use super::last_lines;
+use super::prunings::Prunings;
 use crate::symmetry::{Automorphism, AutomorphismError};
 use crate::tiles::{Kind, TileSet};
 use crate::torus::{Lattice, Order, Pins, Shape};
@@ -34,6 +36,8 @@ pub struct Task {
     pub pins: Pins,
     /// The visiting order; `None` leaves the choice to the program.
     pub order: Option<Order>,
+    /// What cuts the tree, for corner tiles.
+    pub prunings: Prunings,
 }
 
 /// Why a question cannot be asked.
@@ -70,6 +74,16 @@ pub enum TaskError {
     /// A ring of dominoes has one side of length 1.
     #[error("size {0}: dominoes form a ring, so one side must be 1")]
     NotARing(Shape),
+    /// Prunings asked for what is not corner tiles.
+    #[error("prunings {0}: only searches for corner tiles have any to choose")]
+    Prunings(Prunings),
+    /// Last lines that cannot be looked at.
+    #[error(
+        "pruning last-rows: only for packings (no coverings) of up to {} cells over 2 to {} colors, in row or column order",
+        last_lines::MOST_CELLS,
+        last_lines::MOST_COLORS
+    )]
+    LastLines,
     /// The automorphism does not suit.
     #[error(transparent)]
     Automorphism(#[from] AutomorphismError),
@@ -82,7 +96,15 @@ impl Task {
     /// A task without anything given beforehand.
     pub fn new(set: TileSet, shape: Shape) -> Self {
         let pins = Pins::free(Lattice { kind: set.kind(), shape });
-        Self { set, shape, cover: false, automorphism: None, pins, order: None }
+        Self {
+            set,
+            shape,
+            cover: false,
+            automorphism: None,
+            pins,
+            order: None,
+            prunings: Prunings::default(),
+        }
     }
 
     /// The label positions of the packing asked for.
@@ -129,8 +151,23 @@ impl Task {
             };
             return Err(TaskError::Size { shape: self.shape, cells, tiles, hint });
         }
+        self.check_prunings()?;
         if let Some(automorphism) = &self.automorphism {
             automorphism.check(&self.set, self.shape, self.cover)?;
+        }
+        Ok(())
+    }
+
+    fn check_prunings(&self) -> Result<(), TaskError> {
+        let Self { prunings, set, shape, .. } = self;
+        if set.kind() != Kind::Corner && *prunings != Prunings::default() {
+            return Err(TaskError::Prunings(*prunings));
+        }
+        let in_lines = matches!(self.visiting_order(), Order::Row | Order::Column);
+        let small = (2..=last_lines::MOST_COLORS).contains(&set.colors().largest())
+            && shape.cells() <= last_lines::MOST_CELLS;
+        if prunings.last_lines && (self.cover || !in_lines || !small) {
+            return Err(TaskError::LastLines);
         }
         Ok(())
     }

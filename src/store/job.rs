@@ -4,7 +4,7 @@
 //! that a later version with other defaults still means the same search. Equal searches have
 //! the same text, byte for byte; the fingerprint is its BLAKE3 hash.
 
-use crate::packing::{Job, Question, Task};
+use crate::packing::{Job, Prunings, Question, Task};
 use crate::search::{Part, Values};
 use crate::symmetry::Automorphism;
 use crate::tiles::{Colors, Kind, Members, TileId, TileSet, notation};
@@ -32,6 +32,9 @@ struct Text {
     automorphism: Option<String>,
     pins: Option<Vec<Option<u8>>>,
     order: String,
+    /// Left out where they are the usual ones.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    prunings: Option<String>,
     /// Of random values; else they are lexicographic.
     seed: Option<u64>,
     symmetry_removed: bool,
@@ -79,6 +82,7 @@ pub fn write_job(job: &Job) -> String {
         automorphism: task.automorphism.as_ref().map(ToString::to_string),
         pins: task.has_pins().then(|| task.pins.labels().to_vec()),
         order: task.visiting_order().to_string(),
+        prunings: (task.prunings != Prunings::default()).then(|| task.prunings.to_string()),
         seed: match values {
             Values::Lexicographic => None,
             Values::Random(seed) => Some(*seed),
@@ -137,6 +141,9 @@ fn job(said: &Text) -> Result<Job, String> {
     let mut task = Task::new(set, shape);
     task.cover = said.cover;
     task.order = Some(said.order.parse::<Order>().map_err(wrong)?);
+    if let Some(text) = &said.prunings {
+        task.prunings = text.parse()?;
+    }
     if let Some(text) = &said.automorphism {
         task.automorphism = Some(Automorphism::parse(text, colors, shape).map_err(wrong)?);
     }

@@ -12,4 +12,5 @@ mod first;
 mod holes;
 mod oracle;
 mod pins;
+mod prunings;
 mod table;

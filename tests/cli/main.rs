@@ -17,6 +17,7 @@ mod find;
 mod list;
 mod pipes;
 mod recursive;
+mod rows;
 mod sets;
 mod show;
 mod stopping;
