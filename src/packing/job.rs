@@ -6,11 +6,12 @@
 
 use super::Task;
 use super::reduction::Reduction;
-use super::rows::{self, RowsError};
+use super::rows::{self, RowsError, line::Frame};
 use super::sinks::Purpose;
 use super::solve::SolveError;
 use crate::search::{Part, Values};
 use crate::symmetry::{Canonizer, Group};
+use crate::torus::Order;
 
 /// What is asked about a task.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -63,6 +64,15 @@ impl Job {
             reduce: true,
             part: None,
             by_lines: false,
+        }
+    }
+
+    /// The order in which cells are visited; of a count by lines, how these lie.
+    pub fn order(&self) -> Order {
+        match (self.by_lines, Frame::of(&self.task).transposed) {
+            (false, _) => self.task.visiting_order(),
+            (true, false) => Order::Row,
+            (true, true) => Order::Column,
         }
     }
 

@@ -81,7 +81,7 @@ pub fn write_job(job: &Job) -> String {
         cover: task.cover,
         automorphism: task.automorphism.as_ref().map(ToString::to_string),
         pins: task.has_pins().then(|| task.pins.labels().to_vec()),
-        order: task.visiting_order().to_string(),
+        order: job.order().to_string(),
         prunings: (task.prunings != Prunings::default()).then(|| task.prunings.to_string()),
         seed: match values {
             Values::Lexicographic => None,

@@ -59,6 +59,18 @@ fn in_parts() {
     assert!(told.stdout.contains("by meeting in the middle over rows in 3 parts"), "{told:#?}");
 }
 
+/// Which way lines lie stays the same when the search is read again.
+#[test]
+fn columns() {
+    let place = Place::new();
+    let problem = "--kind corner --colors 3 --set compact --automorphism 0,2:+1";
+    let counted = run(&format!("count {problem} --json")).exits(0).json();
+    place.run(&format!("plan {problem} --rows --parts 1 -o rows.plan")).exits(0);
+    place.run("run rows.plan --part 0").exits(0);
+    let merged = place.run("merge rows.plan --json").exits(0).json();
+    assert_eq!(merged["solutions"], counted["solutions"]);
+}
+
 #[test]
 fn refused() {
     for (problem, why) in [
