@@ -177,7 +177,7 @@ fn found(
 ) -> anyhow::Result<()> {
     let (shape, seed) = (constructed.shape(), args.search.seed);
     let set = constructed.set().clone();
-    let about = Packing { set, shape, cover: false, tiles: Vec::new() };
+    let about = Packing::new(set, shape, false, Vec::new());
     let how = how(constructed, seed);
     if let Some(file) = &args.output {
         let provenance = json!({

@@ -50,7 +50,7 @@ pub fn run(args: &LocateArgs) -> anyhow::Result<Exit> {
     }
     let found = tiles.iter().zip(&places);
     if args.json {
-        let about = Packing { set: set.clone(), shape, cover: false, tiles: Vec::new() };
+        let about = Packing::new(set.clone(), shape, false, Vec::new());
         let description = output::description(&about);
         let list: Vec<Value> = found
             .map(|(tile, (row, column))| json!({ "tile": tile.0, "row": row, "column": column }))

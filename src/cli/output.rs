@@ -60,7 +60,10 @@ pub fn remark(text: &str) {
 /// What a packing is, in the words of a solution file: the fields `format`, `kind`, `colors`,
 /// `set`, `width`, `height` and `topology`.
 pub fn description(packing: &Packing) -> Value {
-    let empty = Packing { tiles: Vec::new(), set: packing.set.clone(), ..*packing };
+    let empty = Packing {
+        board: packing.board.clone(),
+        ..Packing::new(packing.set.clone(), packing.shape, packing.cover, Vec::new())
+    };
     let mut text = Vec::new();
     // Writing to memory does not fail, and what is written is JSON.
     let _ = write_solution(&mut text, &empty, &Value::Null, Layout::Line);

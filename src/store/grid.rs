@@ -181,7 +181,7 @@ pub(super) fn read(input: &Input, claim: &Claim) -> Result<Solution, StoreError>
     } else {
         let mut tiles = Vec::new();
         grid.cells(&set, false, |_, tile| tiles.extend(tile.map(TileId)))?;
-        Packing { set, shape: grid.shape, cover, tiles }
+        Packing::new(set, grid.shape, cover, tiles)
     };
     let line = 1 + input.text()[..grid.start].bytes().filter(|&byte| byte == b'\n').count();
     Ok(Solution { packing, provenance: Value::Null, line })

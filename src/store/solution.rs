@@ -123,7 +123,7 @@ impl<'a> Object<'a> {
         self.tiles(&all, shape, false, |_, tile| {
             tiles.extend(tile.map(|tile| TileId(tile as u32)));
         })?;
-        Ok((Packing { set, shape, cover, tiles }, provenance))
+        Ok((Packing::new(set, shape, cover, tiles), provenance))
     }
 }
 
