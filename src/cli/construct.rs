@@ -67,6 +67,7 @@ pub fn give(
 pub(super) fn asks_for_search(args: &FindArgs) -> Option<&'static str> {
     let (problem, search) = (&args.problem, &args.search);
     let options = [
+        (problem.board.given().is_some(), problem.board.given().unwrap_or_default()),
         (problem.pin.is_some(), "--pin"),
         (problem.automorphism.is_some(), "--automorphism"),
         (problem.cover, "--cover"),

@@ -1,6 +1,6 @@
 //! `locate`: where tiles lie in the constructed packing, which is not written out for it.
 
-use super::args::{LocateArgs, ProblemArgs};
+use super::args::{BoardArgs, LocateArgs, ProblemArgs};
 use super::exit::Exit;
 use super::{construct, output, problem, ring};
 use crate::construct::NotConstructed;
@@ -17,6 +17,7 @@ pub fn run(args: &LocateArgs) -> anyhow::Result<Exit> {
     let problem = ProblemArgs {
         set: args.set.clone(),
         size: args.size.clone(),
+        board: BoardArgs::default(),
         cover: false,
         automorphism: None,
         pin: None,
