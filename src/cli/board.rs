@@ -10,7 +10,7 @@ use anyhow::{Context, bail};
 ///
 /// # Errors
 /// A border where there is none, or one that does not suit.
-pub fn board(args: &BoardArgs, set: &TileSet, shape: Shape) -> anyhow::Result<Board> {
+pub(super) fn board(args: &BoardArgs, set: &TileSet, shape: Shape) -> anyhow::Result<Board> {
     let (topology, rotations) = (args.topology.unwrap_or_default(), args.rotations);
     let border = match &args.border {
         None => Border::default(),
@@ -44,7 +44,7 @@ pub fn board(args: &BoardArgs, set: &TileSet, shape: Shape) -> anyhow::Result<Bo
 ///
 /// # Errors
 /// When such an option is given.
-pub fn refuse(args: &ProblemArgs, command: &str) -> anyhow::Result<()> {
+pub(super) fn refuse(args: &ProblemArgs, command: &str) -> anyhow::Result<()> {
     match args.board.given() {
         Some(option) => {
             bail!("{command} and {option} do not go together: it knows tori and no turns")

@@ -10,19 +10,31 @@
 
 use super::board_caps::Caps;
 use super::board_plan::{BoardPlan, Record};
+use super::board_sprint::Track;
+use super::table::Table;
 use super::{Labeled, Task};
 use crate::search::{Alternatives, Problem, Sprint, Stretch, Words};
 use std::sync::Arc;
+
+/// As many places as a [`Place`](super::board_plan::Place) can name. After those of the board
+/// comes the dummy; the last is never read.
+pub(super) const PLACES: usize = 1 << 16;
+/// Classes of squares.
+const CLASSES: usize = 1 << 12;
+
+/// The colors by place.
+pub(super) type Labels = Table<u8, PLACES>;
 
 /// The search for packings of a board, for lists of at most `64 * N` tiles.
 #[derive(Debug, Clone)]
 pub struct OnBoard<const N: usize> {
     pub(super) plan: Arc<BoardPlan>,
-    /// By place, the dummy at the end.
-    pub(super) labels: Vec<u8>,
+    pub(super) labels: Labels,
     /// By class.
-    pub(super) free: Vec<u16>,
+    pub(super) free: Table<u16, CLASSES>,
     pub(super) caps: Caps,
+    /// What sprints need, where there are any.
+    pub(super) track: Option<Box<Track>>,
 }
 
 /// A plan to be searched with words that hold its lists.
@@ -45,9 +57,10 @@ impl Planned {
     pub fn problem<const N: usize>(&self) -> OnBoard<N> {
         let plan = &self.0;
         OnBoard {
-            labels: plan.labels.clone(),
-            free: plan.squares.clone(),
+            labels: Table::new(plan.labels.clone(), 0),
+            free: Table::new(plan.squares.clone(), 0),
             caps: plan.caps.clone(),
+            track: Track::new(plan).map(Box::new),
             plan: Arc::clone(plan),
         }
     }
@@ -57,12 +70,9 @@ impl<const N: usize> OnBoard<N> {
     /// Whether a tile of the list of a level may be laid.
     #[inline(always)]
     fn fits(&self, level: usize, record: &Record) -> bool {
-        let checks = self.plan.levels[level].checks().iter();
         self.free[usize::from(record.class)] > 0
             && !self.caps.are_closed(record.asks)
-            && checks.into_iter().all(|check| {
-                record.sides[usize::from(check.side) % 4] == self.labels[usize::from(check.at)]
-            })
+            && self.plan.levels[level].matches(record, &self.labels)
     }
 
     /// The tile that a choice at a level stands for.
@@ -96,33 +106,28 @@ impl<const N: usize> Problem for OnBoard<N> {
         for (place, cost) in self.plan.levels[level].fresh() {
             let color = record.sides[usize::from(place.side)];
             self.labels[usize::from(place.at)] = color;
-            if self.caps.counts() {
-                self.caps.take(color, cost);
-            }
+            self.caps.take(color, cost);
         }
     }
 
     fn pop(&mut self, level: usize, choice: u32) {
         let record = self.record(level, choice);
         self.free[usize::from(record.class)] += 1;
-        if self.caps.counts() {
-            for (place, cost) in self.plan.levels[level].fresh() {
-                self.caps.give(record.sides[usize::from(place.side)], cost);
-            }
+        for (place, cost) in self.plan.levels[level].fresh() {
+            self.caps.give(record.sides[usize::from(place.side)], cost);
         }
     }
 
     const SPRINTS: bool = true;
 
     fn sprint(&mut self, stretch: Stretch<'_, Words<N>>) -> Option<Sprint> {
-        let _ = stretch;
-        None
+        self.run(stretch)
     }
 }
 
 impl<const N: usize> Labeled for OnBoard<N> {
     fn write_labels(&self, labels: &mut Vec<u8>) {
         labels.clear();
-        labels.extend_from_slice(&self.labels[..self.labels.len() - 1]);
+        labels.extend((0..self.plan.labels.len() - 1).map(|place| self.labels[place]));
     }
 }

@@ -12,35 +12,29 @@
 //! from the start.
 
 use super::Task;
+use super::table::Table;
 use crate::tiles::Kind;
 
-/// The number of colors that are counted.
-const COLORS: usize = 64;
+/// A color that is never used up, for what asks for nothing.
+pub(super) const ENDLESS: u8 = u8::MAX;
 
 /// What is left of every color.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone)]
 pub(super) struct Caps {
-    left: [i32; COLORS],
-    /// The colors with none left, one bit each.
-    closed: u64,
+    left: Table<i32, 256>,
     counts: bool,
 }
 
 impl Caps {
     /// No color is counted.
     pub(super) fn none() -> Self {
-        Self { left: [0; COLORS], closed: 0, counts: false }
+        Self { left: Table::new(Vec::new(), 1), counts: false }
     }
 
-    /// For a task with at most 64 colors and these prescribed.
+    /// For a task with these colors prescribed.
     pub(super) fn new(task: &Task, given: &[Option<u8>]) -> Self {
-        let left = sides_left(task, given);
-        let mut caps = Self { left: [0; COLORS], closed: 0, counts: true };
-        for (color, left) in left.into_iter().enumerate().take(COLORS) {
-            caps.left[color] = left as i32;
-            caps.close(color);
-        }
-        caps
+        let left = sides_left(task, given).into_iter().map(|left| left as i32);
+        Self { left: Table::new(left.collect(), 1), counts: true }
     }
 
     /// Whether any color is counted.
@@ -48,38 +42,47 @@ impl Caps {
         self.counts
     }
 
-    /// The bits of some colors, none where none are counted.
-    pub(super) fn bits(&self, colors: impl Iterator<Item = u8>) -> u64 {
-        let bits = colors.fold(0, |bits, color| bits | 1 << (color % 64));
-        if self.counts { bits } else { 0 }
+    /// The first two of the colors asked for, where colors are counted. More are asked for only
+    /// at free outer sides, and by the first cells of all.
+    pub(super) fn asked(&self, mut colors: impl Iterator<Item = u8>) -> [u8; 2] {
+        let mut next = || colors.next().filter(|_| self.counts).unwrap_or(ENDLESS);
+        [next(), next()]
     }
 
-    /// Whether one of the colors is closed.
+    /// Whether a color asked for is closed.
     #[inline(always)]
-    pub(super) fn are_closed(&self, bits: u64) -> bool {
-        self.closed & bits != 0
+    pub(super) fn are_closed(&self, [a, b]: [u8; 2]) -> bool {
+        self.left[usize::from(a)].min(self.left[usize::from(b)]) <= 0
     }
 
     /// Uses up sides of a color.
     #[inline(always)]
     pub(super) fn take(&mut self, color: u8, cost: u8) {
-        let color = usize::from(color) % COLORS;
-        self.left[color] -= i32::from(cost);
-        self.close(color);
+        if self.counts {
+            self.left[usize::from(color)] -= i32::from(cost);
+        }
     }
 
     /// Gives them back.
     #[inline(always)]
     pub(super) fn give(&mut self, color: u8, cost: u8) {
-        let color = usize::from(color) % COLORS;
-        self.left[color] += i32::from(cost);
-        self.close(color);
+        if self.counts {
+            self.left[usize::from(color)] += i32::from(cost);
+        }
     }
 
+    /// Uses up sides of the colors asked for, however often they are.
     #[inline(always)]
-    fn close(&mut self, color: usize) {
-        let closed = u64::from(self.left[color] <= 0);
-        self.closed = self.closed & !(1 << color) | closed << color;
+    pub(super) fn take_both(&mut self, [a, b]: [u8; 2], [cost_a, cost_b]: [u8; 2]) {
+        self.left[usize::from(a)] -= i32::from(cost_a);
+        self.left[usize::from(b)] -= i32::from(cost_b);
+    }
+
+    /// Gives them back.
+    #[inline(always)]
+    pub(super) fn give_both(&mut self, [a, b]: [u8; 2], [cost_a, cost_b]: [u8; 2]) {
+        self.left[usize::from(a)] += i32::from(cost_a);
+        self.left[usize::from(b)] += i32::from(cost_b);
     }
 }
 

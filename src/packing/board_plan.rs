@@ -11,6 +11,7 @@
 //! every tile once, however many squares show it: so a search meets every picture once.
 
 use super::Task;
+use super::board::Labels;
 use super::board_caps::Caps;
 use crate::tiles::{Kind, TileId, turn};
 use crate::torus::Cell;
@@ -24,8 +25,8 @@ pub(super) struct Record {
     pub(super) sides: [u8; 4],
     /// The class of its square.
     pub(super) class: u16,
-    /// The colors that it asks of neighbors not yet laid, one bit each; see [`Caps`].
-    pub(super) asks: u64,
+    /// The colors that it asks of neighbors not yet laid; see [`Caps`].
+    pub(super) asks: [u8; 2],
 }
 
 /// A side of the cell of a level, and the place of its color.
@@ -57,6 +58,15 @@ impl Level {
     #[inline(always)]
     pub(super) fn checks(&self) -> &[Place] {
         &self.checks[..usize::from(self.checked) % 3]
+    }
+
+    /// Whether a tile shows what is known at places besides the keys.
+    #[inline(always)]
+    pub(super) fn matches(&self, record: &Record, labels: &Labels) -> bool {
+        let shows = |check: &Place| {
+            record.sides[usize::from(check.side) % 4] == labels[usize::from(check.at)]
+        };
+        self.checks().iter().all(shows)
     }
 
     /// The places that get their colors here, each with what that uses up.
@@ -187,7 +197,7 @@ impl BoardPlan {
         };
         for &(sides, class) in tiles.iter().filter(fits) {
             let color = |side: &u8| sides[usize::from(*side)];
-            let asks = self.caps.bits(common.fresh.iter().map(color));
+            let asks = self.caps.asked(common.fresh.iter().rev().map(color));
             if self.caps.are_closed(asks) {
                 continue;
             }
@@ -209,7 +219,7 @@ impl BoardPlan {
 
     /// The tiles that fit the cell of a level, with these colors laid before.
     #[inline(always)]
-    pub(super) fn list(&self, level: &Level, labels: &[u8]) -> Range<usize> {
+    pub(super) fn list(&self, level: &Level, labels: &Labels) -> Range<usize> {
         let [first, second] = level.keys.map(|key| usize::from(labels[usize::from(key.at)]));
         let (begin, end) = self.lists[level.base as usize + first * self.stride + second];
         begin as usize..end as usize

@@ -53,8 +53,7 @@ fn on_board<V: Visitor>(task: &Task, visitor: V) -> Result<V::Output, SolveError
     let planned = Planned::new(task, true);
     match planned.words() {
         0..=1 => visitor.visit(Some(planned.problem::<1>())),
-        2..=4 => visitor.visit(Some(planned.problem::<4>())),
-        5..=16 => visitor.visit(Some(planned.problem::<16>())),
+        2..=8 => visitor.visit(Some(planned.problem::<8>())),
         _ => visitor.visit(Some(planned.problem::<64>())),
     }
 }

@@ -19,6 +19,7 @@ pub mod board;
 mod board_caps;
 mod board_impossible;
 mod board_plan;
+mod board_sprint;
 pub mod caps;
 pub mod corner;
 pub mod corner_plan;
