@@ -3,5 +3,9 @@
 #![allow(clippy::unwrap_used)]
 
 mod answers;
+mod command;
+mod files;
 mod naive;
+mod orbits;
 mod puzzles;
+mod sprints;
