@@ -211,6 +211,7 @@ pub(super) fn read(input: &Input, claim: &Claim) -> Result<Solution, StoreError>
     let first = grid.rows.first().and_then(|(row, line)| Some((row, words(line).next()?)));
     if let Some((row, (offset, word))) = first
         && decimal(word).is_none()
+        && !(grid.board.rotations && word.contains('/'))
     {
         let message = format!("'{word}': expected '{{', as JSON begins, or a number of a grid");
         return Err(input.error_at(row + offset, message));

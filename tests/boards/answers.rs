@@ -40,7 +40,8 @@ impl Puzzle {
             edges.outer().for_each(|(_, _, place)| labels[place] = 0);
         }
         let mut sides = |side: usize| -> Vec<Option<u8>> {
-            let mut outer = vec![None; if side % 2 == 0 { self.width } else { self.height }];
+            let mut outer =
+                vec![None; if side.is_multiple_of(2) { self.width } else { self.height }];
             for (_, at, place) in edges.outer().filter(|&(s, ..)| s == side) {
                 outer[at] = Some(labels[place]).filter(|_| random(&mut state, 3) > 0);
             }
@@ -131,6 +132,23 @@ proptest! {
             task.order = Some(Order::ALL[order]);
             check(&task);
         }
+    }
+}
+
+proptest! {
+    #[test]
+    fn pins_leave_the_pictures_that_show_them(puzzle in puzzles(), cell in 0..9usize) {
+        let Some(mut task) = puzzle.task() else { return Ok(()) };
+        let all = pictures(&task);
+        let (Some(first), cell) = (all.first(), cell % task.shape.cells()) else { return Ok(()) };
+        let shown = first[cell];
+        let places = task.edges().sides(tilepack::torus::Cell(cell as u32));
+        for (place, color) in places.into_iter().zip(shown) {
+            task.pins.pin(place, color).unwrap();
+        }
+        let expected = all.iter().filter(|picture| picture[cell] == shown).count();
+        let counted = packing::count(&task, &Settings::PLAIN, false).unwrap();
+        prop_assert_eq!(counted.value.packings, expected.into());
     }
 }
 

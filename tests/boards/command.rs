@@ -22,7 +22,7 @@ fn wrong_usage_is_told() {
         ("count --rotations --topology disk", "disk"),
         ("count --rotations --size 5x5", "25 cells, but the set has 24 tiles"),
         ("count --rotations --cover", "coverings are on a torus"),
-        ("count --rotations --colors 2,3", "one number of colors"),
+        ("count --rotations --colors 2,3", "colors 3 in the file"),
         ("count --topology cylinder --automorphism 1,0:+0", "automorphisms are on a torus"),
         ("find --rotations --method beam", "--method beam and --rotations"),
         ("find --rotations --method construct", "--rotations is for a search"),

@@ -123,7 +123,7 @@ fn symmetries(task: &Task) -> Vec<Symmetry> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 150, ..ProptestConfig::default() })]
+    #![proptest_config(ProptestConfig { cases: 60, ..ProptestConfig::default() })]
     #[test]
     fn orbits_are_those_of_the_oracle(puzzle in puzzles()) {
         let puzzle = crate::answers::Puzzle { border: puzzle.border.min(1), ..puzzle };
@@ -144,7 +144,9 @@ proptest! {
             let images: BTreeSet<Picture> =
                 symmetries.iter().map(|symmetry| symmetry.picture(&picture, shape)).collect();
             prop_assert!(images.is_subset(&all), "a symmetry that is none");
-            left.retain(|picture| !images.contains(picture));
+            for image in &images {
+                left.remove(image);
+            }
         }
         let counted = packing::count(&task, &Settings::PLAIN, true).unwrap().value;
         prop_assert_eq!(counted.packings, all.len().into());

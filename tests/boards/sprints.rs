@@ -53,7 +53,7 @@ fn walk<P: Problem>(mut problem: P, part: Option<Part>) -> Walk<P> {
 
 /// Compares after slices of odd lengths; says whether all was visited, and what it came to.
 fn compare(task: &Task, with_caps: bool, part: Option<Part>, slices: &[u64]) -> (bool, [u64; 3]) {
-    let problem = Planned::new(task, with_caps).problem::<8>();
+    let problem = Planned::new(task, with_caps).problem::<16>();
     let (mut fast, mut slow) = (walk(problem.clone(), part), walk(StepByStep(problem), part));
     let mut seen = (false, [0; 3]);
     for &slice in slices {
