@@ -177,8 +177,14 @@ const GRIDS: &[(&str, &str)] = &[
         "in:1:1: compact sets are defined for corner and Wang tiles, not for dominoes",
     ),
     ("kind=wang kind=wang colors=2\n0", "in:1:11: 'kind=wang': said before on this line"),
-    ("kind=wang colors=2 size=3\n0", "in:1:20: 'size=3': expected kind=, colors=, set=, cover, topology=, border= or rotations"),
-    ("kind=wang colors=2 covers\n0", "in:1:20: 'covers': expected kind=, colors=, set=, cover, topology=, border= or rotations"),
+    (
+        "kind=wang colors=2 size=3\n0",
+        "in:1:20: 'size=3': expected kind=, colors=, set=, cover, topology=, border= or rotations",
+    ),
+    (
+        "kind=wang colors=2 covers\n0",
+        "in:1:20: 'covers': expected kind=, colors=, set=, cover, topology=, border= or rotations",
+    ),
     ("kind=wang colors=2", "in: expected a solution, as JSON or as rows of numbers"),
     ("# nothing\n", "in: expected a solution, as JSON or as rows of numbers"),
     ("", "in: expected a solution, as JSON or as rows of numbers"),
