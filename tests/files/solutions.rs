@@ -21,7 +21,11 @@ const SPOILT: &[Refused] = &[
     ("tilepack/1", "tilepack/2", "in:1:11: format \"tilepack/2\": expected \"tilepack/1\""),
     ("\"tilepack/1\"", "1", "in:1:11: invalid type: integer `1`, expected a string"),
     (r#""format":"tilepack/1","#, "", "in:1:1: expected a field \"format\""),
-    ("torus", "plane", "in:2:33: topology \"plane\": expected \"torus\""),
+    (
+        "torus",
+        "plane",
+        "in:2:33: topology \"plane\": expected \"torus\" or \"cylinder\" or \"rectangle\"",
+    ),
     ("wang", "hexagon", "in:1:31: kind 'hexagon': expected corner, wang or domino"),
     ("[2,1]", "0", "in:1:47: 0 colors: expected 1 to 255"),
     ("[2,1]", "[2,256]", "in:1:53: 256 colors: expected 1 to 255"),
