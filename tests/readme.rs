@@ -14,6 +14,7 @@ const README: &str = include_str!("../README.md");
 const PAGES: &[(&str, &str, usize)] = &[
     ("README.md", README, 10),
     ("docs/long-runs.md", include_str!("../docs/long-runs.md"), 15),
+    ("docs/boards.md", include_str!("../docs/boards.md"), 8),
     ("docs/coverings.md", include_str!("../docs/coverings.md"), 3),
     ("docs/exports.md", include_str!("../docs/exports.md"), 6),
     ("docs/packings.md", include_str!("../docs/packings.md"), 4),
@@ -79,6 +80,13 @@ fn commands_do_what_the_pages_show() {
 fn run_page(page: &'static str) -> usize {
     let binary = std::path::Path::new(env!("CARGO_BIN_EXE_tilepack"));
     let folder = tempfile::tempdir().unwrap();
+    // Pages name the files of this folder as one finds them.
+    let data = folder.path().join("data");
+    std::fs::create_dir(&data).unwrap();
+    for file in std::fs::read_dir(concat!(env!("CARGO_MANIFEST_DIR"), "/data")).unwrap() {
+        let file = file.unwrap();
+        std::fs::copy(file.path(), data.join(file.file_name())).unwrap();
+    }
     let path = std::env::join_paths(
         std::iter::once(binary.parent().unwrap().to_owned())
             .chain(std::env::split_paths(&std::env::var_os("PATH").unwrap())),

@@ -366,7 +366,7 @@ fn a_few_of_very_many_tiles() {
     let tiles: Vec<TileId> = (0..4).map(tile).collect();
     let set = TileSet::new(Kind::Wang, colors, Members::Explicit(tiles.clone())).unwrap();
     let shape = Shape::new(4, 1).unwrap();
-    let mut packing = Packing { set, shape, cover: false, tiles };
+    let mut packing = Packing::new(set, shape, false, tiles);
     assert!(check(&packing).is_valid());
     packing.tiles[3] = packing.tiles[1];
     let verdict = check(&packing);

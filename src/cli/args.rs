@@ -3,10 +3,12 @@
 //! What depends on more than one option (colors on the kind, a size on the set) is kept as text
 //! here and read in [`super::problem`], where errors can say more.
 
+mod board;
 mod cube;
 mod export;
 mod parts;
 
+pub use board::BoardArgs;
 pub use cube::{CubeArgs, CubeKindArg};
 pub use export::{ExportCnfArgs, ExportOut, ExportXccArgs};
 pub use parts::{ClusterCommand, JobArgs, MergeArgs, PartArgs, PlanArgs, SlurmArgs};
@@ -138,6 +140,9 @@ pub struct ProblemArgs {
     /// Wang sets, a row for dominoes, else as square as possible]
     #[arg(long, value_name = "WxH", allow_hyphen_values = true)]
     pub size: Option<String>,
+    /// What the packing lies on.
+    #[command(flatten)]
+    pub board: BoardArgs,
     /// Every tile at least once instead of exactly once
     #[arg(long)]
     pub cover: bool,

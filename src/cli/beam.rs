@@ -8,7 +8,7 @@ use super::args::{FindArgs, Method, ValueOrder};
 use super::exit::Exit;
 use super::found::{Found, Heuristic};
 use super::session::{Ended, Session};
-use super::{describe, problem};
+use super::{board, describe, problem};
 use crate::beam::{self, Options, Outcome};
 use crate::packing::Task;
 use crate::store::check_writable;
@@ -64,6 +64,7 @@ pub fn run(args: &FindArgs, why: Option<String>) -> anyhow::Result<Exit> {
 
 /// Refuses options that would be left out of account.
 fn refuse(args: &FindArgs) -> anyhow::Result<()> {
+    board::refuse(&args.problem, "--method beam")?;
     let (problem, search) = (&args.problem, &args.search);
     for (given, option, why) in [
         (problem.automorphism.is_some(), "--automorphism", "it knows no symmetry"),

@@ -68,6 +68,7 @@ pub fn give(
 pub(super) fn asks_for_search(args: &FindArgs) -> Option<&'static str> {
     let (problem, search) = (&args.problem, &args.search);
     let options = [
+        (problem.board.given().is_some(), problem.board.given().unwrap_or_default()),
         (problem.pin.is_some(), "--pin"),
         (problem.automorphism.is_some(), "--automorphism"),
         (problem.cover, "--cover"),
@@ -179,7 +180,7 @@ fn found(
 ) -> anyhow::Result<()> {
     let (shape, seed) = (constructed.shape(), args.search.seed);
     let set = constructed.set().clone();
-    let about = Packing { set, shape, cover: false, tiles: Vec::new() };
+    let about = Packing::new(set, shape, false, Vec::new());
     let how = how(constructed, seed);
     if let Some(file) = &args.output {
         let provenance = json!({

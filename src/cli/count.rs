@@ -113,7 +113,7 @@ impl Told<'_> {
         let Self { job, done, reason, how, .. } = self;
         let task = &job.task;
         let set = describe::set(&task.set);
-        let torus = describe::torus(task.set.kind(), task.shape);
+        let torus = describe::board(task.set.kind(), task.shape, &task.board);
         let how = match (reason, &done.stopped) {
             (Some(reason), _) => format!("by an argument: {reason}"),
             (None, Some(_)) => format!("by {how}, stopped early: {}", self.effort()),
@@ -123,6 +123,7 @@ impl Told<'_> {
             (Some(_), ..) => "",
             (None, true, _) if done.stopped.is_none() => ", the sizes of the orbits add up to it",
             (None, _, true) => ", no symmetry removed",
+            _ if job.reduction().is_none() => ", no symmetry to remove",
             (None, ..) => ", symmetry removed and multiplied back exactly",
         };
         format!("{set}, {torus}; {how}{checked}")

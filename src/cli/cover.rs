@@ -9,7 +9,7 @@ use super::args::{FindArgs, Method, ValueOrder};
 use super::exit::Exit;
 use super::found::{Found, Heuristic};
 use super::session::{Ended, Session};
-use super::{describe, problem, set};
+use super::{board, describe, problem, set};
 use crate::anneal;
 use crate::cover::bound::excluded;
 use crate::cover::{Bound, NoBound, Options, Smallest, on_torus, smallest};
@@ -40,6 +40,7 @@ pub fn run(args: &FindArgs, why: Option<String>) -> anyhow::Result<Exit> {
 
 /// Refuses options that would be left out of account.
 fn refuse(args: &FindArgs) -> anyhow::Result<()> {
+    board::refuse(&args.problem, "--method anneal")?;
     let (problem, search) = (&args.problem, &args.search);
     for (given, option, why) in [
         (problem.pin.is_some(), "--pin", "it chooses every cell itself"),

@@ -2,7 +2,7 @@
 
 use crate::packing::{Job, Question, Task};
 use crate::tiles::{Kind, Members, TileSet};
-use crate::torus::{Packing, Shape};
+use crate::torus::{Board, Packing, Shape, Topology};
 
 /// A set: `complete corner set over 4 colors`.
 pub fn set(set: &TileSet) -> String {
@@ -37,6 +37,22 @@ pub fn torus(kind: Kind, shape: Shape) -> String {
         Kind::Domino => format!("ring of {} ({shape})", shape.cells()),
         _ => format!("{shape} torus"),
     }
+}
+
+/// What a packing lies on: as [`torus`], or `6x4 rectangle with border 1`.
+pub fn board(kind: Kind, shape: Shape, board: &Board) -> String {
+    let Board { topology, rotations, border } = board;
+    let on = match topology {
+        Topology::Torus => torus(kind, shape),
+        _ => format!("{shape} {topology}"),
+    };
+    let border = match border.single(*topology, shape) {
+        _ if border.is_free() => String::new(),
+        Some(color) => format!(" with border {color}"),
+        None => " with a border".to_owned(),
+    };
+    let turned = if *rotations { ", squares turned" } else { "" };
+    format!("{on}{border}{turned}")
 }
 
 /// How often the tiles of a valid packing occur: `each of 256 tiles once`.
@@ -85,7 +101,7 @@ pub fn job(job: &Job) -> String {
         Some(part) => format!(", part {} of {}", part.number, part.of),
         None => String::new(),
     };
-    let (set, torus) = (set(&task.set), torus(task.set.kind(), task.shape));
+    let (set, torus) = (set(&task.set), board(task.set.kind(), task.shape, &task.board));
     format!("{question}{symmetry}: {set}, {torus}{}{part}", conditions(task))
 }
 
@@ -104,7 +120,13 @@ pub fn slug(job: &Job) -> String {
         Members::Explicit(_) => "-explicit",
     };
     let colors = set.colors().to_string().replace(',', "x");
-    format!("{question}-{}-{colors}{members}-{}", set.kind(), job.task.shape)
+    let board = match &job.task.board {
+        Board { topology: Topology::Torus, rotations: false, .. } => String::new(),
+        Board { topology, rotations, .. } => {
+            format!("-{topology}{}", if *rotations { "-turned" } else { "" })
+        }
+    };
+    format!("{question}-{}-{colors}{members}-{}{board}", set.kind(), job.task.shape)
 }
 
 /// That a finished search found nothing.

@@ -126,7 +126,7 @@ fn print(
 /// What was estimated and how.
 fn how(args: &EstimateArgs, task: &Task, tree: &Estimate, reason: Option<&str>) -> String {
     let set = describe::set(&task.set);
-    let torus = describe::torus(task.set.kind(), task.shape);
+    let torus = describe::board(task.set.kind(), task.shape, &task.board);
     let nodes = describe::number(tree.probed, "node");
     let how = match (reason, tree.exact) {
         (Some(reason), _) => format!("by an argument: {reason}"),

@@ -3,7 +3,7 @@
 
 use super::args::{ExportCnfArgs, ExportOut, ExportXccArgs};
 use super::exit::Exit;
-use super::{describe, output, problem, source};
+use super::{board, describe, output, problem, source};
 use crate::export::{Cnf, Model, Xcc};
 use crate::packing::Task;
 use crate::store::{Layout, check_writable, write_file, write_grid, write_solution};
@@ -19,6 +19,7 @@ use std::path::Path;
 /// # Errors
 /// Bad input, or a file that cannot be written.
 pub fn run_cnf(args: &ExportCnfArgs) -> anyhow::Result<Exit> {
+    board::refuse(&args.problem, "export-cnf")?;
     let task = problem::task(&args.problem, None)?;
     if let Some(file) = &args.out.output {
         check_writable(file)?;
@@ -36,6 +37,7 @@ pub fn run_cnf(args: &ExportCnfArgs) -> anyhow::Result<Exit> {
 /// # Errors
 /// Bad input, a problem that cannot be said, or a file that cannot be written.
 pub fn run_xcc(args: &ExportXccArgs) -> anyhow::Result<Exit> {
+    board::refuse(&args.problem, "export-xcc")?;
     let task = problem::task(&args.problem, None)?;
     if let Some(file) = &args.out.output {
         check_writable(file)?;

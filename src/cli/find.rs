@@ -122,7 +122,7 @@ pub fn answer(
         }
         return find.none("search", &done, &describe::nothing(task));
     };
-    let packing = task.lattice().packing(labels, &task.set, task.cover);
+    let packing = task.packing(labels);
     let verdict = verify::check(&packing);
     if !verdict.is_valid() {
         bail!("internal error: the search found what is no packing: {verdict}; please report this");

@@ -93,6 +93,7 @@ fn asks_for_search(args: &CountArgs) -> Option<&'static str> {
     let (problem, search) = (&args.problem, &args.search);
     let options = [
         (args.up_to_symmetry, "--up-to-symmetry"),
+        (problem.board.given().is_some(), problem.board.given().unwrap_or_default()),
         (problem.pin.is_some(), "--pin"),
         (problem.automorphism.is_some(), "--automorphism"),
         (problem.cover, "--cover"),

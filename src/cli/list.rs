@@ -112,9 +112,8 @@ pub fn tell(
 }
 
 fn write(task: &Task, packings: &[Vec<u8>], out: &mut dyn Write) -> io::Result<()> {
-    let lattice = task.lattice();
     for labels in packings {
-        let packing = lattice.packing(labels, &task.set, task.cover);
+        let packing = task.packing(labels);
         write_solution(&mut *out, &packing, &Value::Null, Layout::Line)?;
     }
     Ok(())

@@ -1,6 +1,6 @@
 //! `locate`: where tiles lie in the constructed packing, which is not written out for it.
 
-use super::args::{LocateArgs, ProblemArgs};
+use super::args::{BoardArgs, LocateArgs, ProblemArgs};
 use super::exit::Exit;
 use super::{construct, output, problem, ring};
 use crate::construct::NotConstructed;
@@ -17,6 +17,7 @@ pub fn run(args: &LocateArgs) -> anyhow::Result<Exit> {
     let problem = ProblemArgs {
         set: args.set.clone(),
         size: args.size.clone(),
+        board: BoardArgs::default(),
         cover: false,
         automorphism: None,
         pin: None,
@@ -50,7 +51,7 @@ pub fn run(args: &LocateArgs) -> anyhow::Result<Exit> {
     }
     let found = tiles.iter().zip(&places);
     if args.json {
-        let about = Packing { set: set.clone(), shape, cover: false, tiles: Vec::new() };
+        let about = Packing::new(set.clone(), shape, false, Vec::new());
         let description = output::description(&about);
         let list: Vec<Value> = found
             .map(|(tile, (row, column))| json!({ "tile": tile.0, "row": row, "column": column }))

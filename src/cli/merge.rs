@@ -117,7 +117,7 @@ fn merged_list(
 ) -> anyhow::Result<Exit> {
     let request = Request { output: args.output.clone(), json: args.json, ..Request::default() };
     list::check_output(&request)?;
-    let labels = plan.job.task.lattice().labels();
+    let labels = plan.job.task.labels();
     let mut kept = Vec::new();
     for (file, result) in &merged.results {
         let files = PartFiles::new(folder, result.number, result.of);

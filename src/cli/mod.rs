@@ -18,6 +18,7 @@
 pub mod anneal;
 pub mod args;
 pub mod beam;
+mod board;
 pub mod choose;
 pub mod cluster;
 pub mod construct;

@@ -60,7 +60,10 @@ pub fn remark(text: &str) {
 /// What a packing is, in the words of a solution file: the fields `format`, `kind`, `colors`,
 /// `set`, `width`, `height` and `topology`.
 pub fn description(packing: &Packing) -> Value {
-    let empty = Packing { tiles: Vec::new(), set: packing.set.clone(), ..*packing };
+    let empty = Packing {
+        board: packing.board.clone(),
+        ..Packing::new(packing.set.clone(), packing.shape, packing.cover, Vec::new())
+    };
     let mut text = Vec::new();
     // Writing to memory does not fail, and what is written is JSON.
     let _ = write_solution(&mut text, &empty, &Value::Null, Layout::Line);
@@ -70,13 +73,17 @@ pub fn description(packing: &Packing) -> Value {
 /// The fields that make an object a solution file: the description and the tiles.
 pub fn solution_fields(packing: &Packing) -> Vec<(&'static str, Value)> {
     let description = description(packing);
-    let mut fields: Vec<_> = ["format", "kind", "colors", "set", "cover", "topology"]
+    let mut fields: Vec<_> = ["format", "kind", "colors", "set", "cover", "topology", "border"]
         .into_iter()
         .filter_map(|name| Some((name, description.get(name)?.clone())))
         .collect();
     let rows: Vec<Vec<u32>> =
         packing.rows().map(|row| row.iter().map(|tile| tile.0).collect()).collect();
     fields.push(("tiles", json!(rows)));
+    if packing.board.rotations {
+        let turns: Vec<&[u8]> = packing.turns.chunks(packing.shape.width()).collect();
+        fields.push(("rotations", json!(turns)));
+    }
     fields
 }
 

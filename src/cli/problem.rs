@@ -1,9 +1,9 @@
 //! Raw arguments to a validated [`Task`]: every mistake in them is told before any work is done.
 
 use super::args::{ProblemArgs, SearchArgs};
-use super::{output, set};
+use super::{board, output, set};
 use crate::packing::Task;
-use crate::store::{Input, read_pins};
+use crate::store::{Input, read_pins, read_pins_on_board};
 use crate::symmetry::{self, Automorphism};
 use crate::tiles::TileSet;
 use crate::torus::{Order, Shape};
@@ -19,7 +19,10 @@ pub fn set_and_shape(args: &ProblemArgs) -> anyhow::Result<(TileSet, Shape)> {
         None => None,
         Some(text) => Some(text.parse().context("--size")?),
     };
-    let set = set::tile_set(&args.set, shape)?;
+    let set = match args.board.rotations {
+        true => set::squares(&args.set)?,
+        false => set::tile_set(&args.set, shape)?,
+    };
     let shape = match shape {
         Some(shape) => shape,
         None => Shape::default_for(&set)?,
@@ -44,8 +47,9 @@ pub fn search_task(args: &ProblemArgs, search: &SearchArgs) -> anyhow::Result<Ta
 /// Anything malformed, contradictory, missing or too large.
 pub fn task(args: &ProblemArgs, order: Option<Order>) -> anyhow::Result<Task> {
     let (set, shape) = set_and_shape(args)?;
+    let board = board::board(&args.board, &set, shape)?;
     Task::check_size(&set, shape)?;
-    let mut task = Task::new(set, shape);
+    let mut task = Task::on(set, shape, board);
     task.cover = args.cover;
     task.order = order;
     if let Some(text) = &args.automorphism {
@@ -65,7 +69,11 @@ pub fn task(args: &ProblemArgs, order: Option<Order>) -> anyhow::Result<Task> {
     }
     task.check()?;
     if let Some(file) = &args.pin {
-        task.pins = read_pins(&Input::open(file)?, task.lattice(), &task.set)?;
+        let input = Input::open(file)?;
+        task.pins = match task.board.is_plain() {
+            true => read_pins(&input, task.lattice(), &task.set)?,
+            false => read_pins_on_board(&input, &task.set, shape, &task.board)?,
+        };
     }
     Ok(task)
 }

@@ -160,7 +160,7 @@ impl Started {
             false => writer.write(standing.clone()).map(drop),
         };
         if let Some(kept) = &writer.kept {
-            standing.kept = kept.packings(job.task.lattice().labels())?;
+            standing.kept = kept.packings(job.task.labels())?;
             standing.kept.append(&mut writer.waiting);
         }
         let extent = writer.kept.as_ref().map(Kept::extent);

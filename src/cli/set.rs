@@ -4,7 +4,7 @@
 //! colors, and what the options say must then agree.
 
 use super::args::{ClaimArgs, SetArgs};
-use crate::store::{Claim, Input, StoreError, read_tile_set};
+use crate::store::{Claim, Input, StoreError, read_squares, read_tile_set};
 use crate::tiles::{Colors, Kind, Members, TileError, TileSet, notation};
 use crate::torus::Shape;
 use anyhow::{Context, bail};
@@ -16,6 +16,11 @@ use std::path::Path;
 /// # Errors
 /// Text of another form, a file that cannot be read, a contradiction.
 pub fn claim(args: &SetArgs, shape: Option<Shape>) -> anyhow::Result<Claim> {
+    claim_of(args, shape, false)
+}
+
+/// The same, also about squares that may be turned.
+fn claim_of(args: &SetArgs, shape: Option<Shape>, squares: bool) -> anyhow::Result<Claim> {
     let mut claim = Claim { kind: args.kind, ..Claim::default() };
     if let Some(text) = &args.colors {
         claim.colors = Some(text.parse().with_context(|| format!("--colors {text}"))?);
@@ -29,7 +34,7 @@ pub fn claim(args: &SetArgs, shape: Option<Shape>) -> anyhow::Result<Claim> {
             if ring(claim.kind) {
                 claim.colors = claim.colors.map(|colors| ring_colors(colors, shape));
             }
-            let named = read_set(set, claim.colors)?;
+            let named = read_set(set, claim.colors, squares)?;
             if let Some(kind) = claim.kind.filter(|&kind| kind != named.kind()) {
                 bail!("{word}: kind {} in the file, but --kind {kind}", named.kind());
             }
@@ -67,11 +72,26 @@ pub fn tile_set(args: &SetArgs, shape: Option<Shape>) -> anyhow::Result<TileSet>
     Ok(TileSet::new(kind, colors, claim.members.unwrap_or(Members::Complete))?)
 }
 
+/// The set of squares that the options describe, which may be turned.
+///
+/// # Errors
+/// As [`tile_set`]; also another kind than Wang tiles, or two palettes.
+pub fn squares(args: &SetArgs) -> anyhow::Result<TileSet> {
+    if let Some(kind) = args.kind.filter(|&kind| kind != Kind::Wang) {
+        bail!("--rotations: {kind} tiles are not turned, only Wang tiles are");
+    }
+    let claim = claim_of(args, None, true)?;
+    match (claim.members, claim.colors) {
+        (Some(Members::Explicit(tiles)), Some(colors)) => Ok(TileSet::squares(colors, tiles)?),
+        _ => tile_set(args, None),
+    }
+}
+
 fn ring_colors(colors: Colors, shape: Option<Shape>) -> Colors {
     shape.map_or(colors.of_row(), |shape| shape.ring_colors(colors))
 }
 
-fn read_set(file: &Path, colors: Option<Colors>) -> anyhow::Result<TileSet> {
+fn read_set(file: &Path, colors: Option<Colors>, squares: bool) -> anyhow::Result<TileSet> {
     let input = Input::open(file).map_err(|error| match error {
         StoreError::Missing { .. } => {
             let syntax = TileError::SetSyntax(file.display().to_string());
@@ -79,5 +99,9 @@ fn read_set(file: &Path, colors: Option<Colors>) -> anyhow::Result<TileSet> {
         }
         error => error.into(),
     })?;
-    Ok(read_tile_set(&input, colors)?.set)
+    let named = match squares {
+        true => read_squares(&input, colors)?,
+        false => read_tile_set(&input, colors)?,
+    };
+    Ok(named.set)
 }

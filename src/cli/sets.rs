@@ -79,7 +79,7 @@ fn print(args: &SetsArgs, set: &TileSet, size: u64, checked: bool) -> anyhow::Re
 fn print_json(args: &SetsArgs, set: &TileSet, size: u64, checked: bool) -> anyhow::Result<()> {
     // Any torus does: only what describes the set is taken.
     let shape = Shape::new(1, if set.kind() == Kind::Domino { 1 } else { 2 })?;
-    let packing = Packing { set: set.clone(), shape, cover: false, tiles: Vec::new() };
+    let packing = Packing::new(set.clone(), shape, false, Vec::new());
     let description = output::description(&packing);
     let fields = [
         ("size", json!(size.to_string())),

@@ -28,7 +28,7 @@ pub fn run(args: &ShowArgs) -> anyhow::Result<Exit> {
         }
         let what = if verdict.is_valid() { what } else { "tiles" };
         let set = describe::set(&packing.set);
-        let torus = describe::torus(packing.set.kind(), packing.shape);
+        let torus = describe::board(packing.set.kind(), packing.shape, &packing.board);
         output::result(|out| {
             if number > 0 {
                 writeln!(out)?;

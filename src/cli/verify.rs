@@ -235,6 +235,6 @@ impl Report {
 /// A valid packing in words.
 fn words(packing: &Packing) -> String {
     let set = describe::set(&packing.set);
-    let torus = describe::torus(packing.set.kind(), packing.shape);
+    let torus = describe::board(packing.set.kind(), packing.shape, &packing.board);
     format!("{set}, {torus}, {}", describe::occurrences(packing))
 }

@@ -256,7 +256,7 @@ impl Constructed {
             Ok(())
         });
         match all {
-            Ok(()) => Packing { set: self.set.clone(), shape: self.shape, cover: false, tiles },
+            Ok(()) => Packing::new(self.set.clone(), self.shape, false, tiles),
         }
     }
 

@@ -34,6 +34,9 @@ pub enum ExportError {
         /// Their product.
         options: u64,
     },
+    /// Boards with outer sides, or squares that are turned.
+    #[error("only packings of tori with tiles that are not turned are exported")]
+    Board,
     /// The format has no words for it.
     #[error("exact cover with colors cannot say it: {0}")]
     Unsayable(String),
@@ -80,6 +83,9 @@ impl<'a> Instance<'a> {
     /// # Errors
     /// When it is too large.
     pub fn new(task: &'a Task) -> Result<Self, ExportError> {
+        if !task.board.is_plain() {
+            return Err(ExportError::Board);
+        }
         let (shape, colors) = (task.shape, task.set.colors());
         let (order, step, maps) = match &task.automorphism {
             None => (1, (0, 0), vec![ColorMap::identity(colors)]),

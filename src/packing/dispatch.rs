@@ -4,6 +4,7 @@
 //! automorphism, so that the inner loop is compiled for each; here is the one place where the
 //! type is chosen. What is to be done with the problem comes as a [`Visitor`].
 
+use super::board::Planned;
 use super::corner::Corner;
 use super::last_lines::LastLines;
 use super::reduction::Reduction;
@@ -50,6 +51,9 @@ pub fn with_problem<V: Visitor>(
     visitor: V,
 ) -> Result<V::Output, SolveError> {
     task.check()?;
+    if !task.board.is_plain() {
+        return on_board(task, visitor);
+    }
     match task.set.kind() {
         Kind::Corner => corner(task, reduction, visitor),
         Kind::Wang => wang(task, reduction, Shown::Both, visitor),
@@ -57,6 +61,15 @@ pub fn with_problem<V: Visitor>(
             let (wang_task, reduction) = (ring::task(task)?, ring::reduction(task, reduction)?);
             wang(&wang_task, &reduction, ring::shown(task), visitor)
         }
+    }
+}
+
+fn on_board<V: Visitor>(task: &Task, visitor: V) -> Result<V::Output, SolveError> {
+    let planned = Planned::new(task, true);
+    match planned.words() {
+        0..=1 => visitor.visit(Some(planned.problem::<1>())),
+        2..=8 => visitor.visit(Some(planned.problem::<8>())),
+        _ => visitor.visit(Some(planned.problem::<64>())),
     }
 }
 

@@ -7,10 +7,10 @@
 use super::Task;
 use super::reduction::Reduction;
 use super::rows::{self, RowsError, line::Frame};
-use super::sinks::Purpose;
+use super::sinks::{Forms, Purpose};
 use super::solve::SolveError;
 use crate::search::{Part, Values};
-use crate::symmetry::{Canonizer, Group};
+use crate::symmetry::{BoardCanonizer, Canonizer, Group};
 use crate::torus::Order;
 
 /// What is asked about a task.
@@ -132,8 +132,13 @@ impl Job {
         let keep = self.is_list();
         if self.up_to_symmetry() {
             let task = &self.task;
+            if !task.board.is_plain() {
+                let canonizer = BoardCanonizer::new(&task.set, task.shape, &task.board)?;
+                return Ok(Purpose::Orbits { canonizer: Box::new(Forms::Board(canonizer)), keep });
+            }
             let group = Group::of(&task.set, task.shape, task.automorphism.as_ref())?;
-            let canonizer = Box::new(Canonizer::new(&group, self.reduction().anchor));
+            let canonizer = Canonizer::new(&group, self.reduction().anchor);
+            let canonizer = Box::new(Forms::Torus(canonizer));
             return Ok(Purpose::Orbits { canonizer, keep });
         }
         Ok(match self.question {

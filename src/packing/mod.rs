@@ -6,6 +6,7 @@
 //!   the most valuable pruning.
 //! * [`wang`]: whole tiles in cells, the candidates being the AND of a few masks. Rings of
 //!   dominoes are Wang tiles with one color across ([`ring`]).
+//! * [`board`]: tiles on boards with outer sides, or squares that may be turned.
 //! * [`quotient`]: with a prescribed automorphism one choice decides an orbit of cells.
 //! * [`reduction`]: translations and the order of colors are removed before the search starts,
 //!   exactly, and multiplied back.
@@ -14,6 +15,11 @@
 //! problem, [`standing`] runs it, also from where an earlier run stopped, [`solve`] gives the
 //! answer, and [`estimate`] says how large it is ([`last_lines`] helps it).
 
+pub mod board;
+mod board_caps;
+mod board_impossible;
+mod board_plan;
+mod board_sprint;
 pub mod caps;
 pub mod corner;
 pub mod corner_plan;

@@ -40,7 +40,8 @@ impl Reduction {
     /// The tile or class at the origin, where the task allows it.
     pub fn anchored(task: &Task) -> Self {
         let mut reduction = Self::none();
-        if task.has_pins() || task.cover {
+        // Of a board, nothing is known that moves.
+        if task.has_pins() || task.cover || !task.board.is_plain() {
             return reduction;
         }
         reduction.anchor = match task.set.members() {
@@ -59,7 +60,8 @@ impl Reduction {
         let mut reduction = Self::anchored(task);
         let set = &task.set;
         let symmetric = matches!(set.members(), Members::Complete | Members::Compact);
-        if !symmetric || task.has_pins() || task.automorphism.is_some() {
+        let fixed = task.has_pins() || task.automorphism.is_some() || !task.board.is_plain();
+        if !symmetric || fixed {
             return reduction;
         }
         let from = usize::from(reduction.anchor != Anchor::Everywhere);

@@ -3,7 +3,7 @@
 
 use super::Labeled;
 use crate::search::Sink;
-use crate::symmetry::Canonizer;
+use crate::symmetry::{BoardCanonizer, Canonizer};
 use num_bigint::BigUint;
 use std::ops::ControlFlow;
 
@@ -21,10 +21,29 @@ pub enum Purpose {
     /// The canonical ones of their orbits are counted and, if wanted, kept.
     Orbits {
         /// Tells the canonical ones.
-        canonizer: Box<Canonizer>,
+        canonizer: Box<Forms>,
         /// Whether to keep them.
         keep: bool,
     },
+}
+
+/// Tells canonical packings.
+#[derive(Clone)]
+pub enum Forms {
+    /// On a torus.
+    Torus(Canonizer),
+    /// On a board.
+    Board(BoardCanonizer),
+}
+
+impl Forms {
+    /// The size of the orbit of a canonical packing; `None` for any other.
+    fn classify(&mut self, labels: &[u8]) -> Option<u64> {
+        match self {
+            Self::Torus(canonizer) => canonizer.classify(labels),
+            Self::Board(canonizer) => canonizer.classify(labels),
+        }
+    }
 }
 
 /// Takes packings for a purpose.

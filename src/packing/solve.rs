@@ -194,7 +194,7 @@ pub fn counted(job: &Job, standing: &Standing) -> Result<Counted, SolveError> {
         return Err(SolveError::Disagreement { direct: packings, orbits });
     }
     // No two translates agree: each tile (or one tile of a compact class) has one cell.
-    let free = !task.cover && !task.has_pins();
+    let free = !task.cover && !task.has_pins() && task.board.is_plain();
     let up_to_translation = (free && whole).then(|| &packings / task.shape.cells());
     let fundamental = job.up_to_symmetry().then_some(standing.orbits);
     Ok(Counted { packings, fundamental, up_to_translation })

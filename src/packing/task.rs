@@ -2,12 +2,13 @@
 //!
 //! A task is checked once, here; the problems built from it may rely on what is checked.
 
-use super::impossible;
 use super::last_lines;
 use super::prunings::Prunings;
+use super::{board_impossible, impossible};
 use crate::symmetry::{Automorphism, AutomorphismError};
-use crate::tiles::{Kind, TileSet};
-use crate::torus::{Lattice, Order, Pins, Shape};
+use crate::tiles::{Colors, Kind, TileSet};
+use crate::torus::board::{Border, BorderError, SIDES};
+use crate::torus::{Board, Edges, Lattice, Order, Packing, Pins, Shape};
 
 /// The largest number of colors the search handles: the colors of a cell are one word.
 pub const MAX_SEARCH_COLORS: usize = 64;
@@ -26,8 +27,10 @@ pub const MAX_WANG_TILES: u64 = 4_096;
 pub struct Task {
     /// The tiles.
     pub set: TileSet,
-    /// The torus.
+    /// The width and height.
     pub shape: Shape,
+    /// What the packing lies on: a torus of fixed tiles, or a board.
+    pub board: Board,
     /// Every tile at least once instead of exactly once.
     pub cover: bool,
     /// A symmetry the packing must have.
@@ -84,6 +87,38 @@ pub enum TaskError {
         last_lines::MOST_COLORS
     )]
     LastLines,
+    /// Boards and squares are for Wang tiles.
+    #[error("{0} tiles lie on a torus and are not turned: {1} for Wang tiles")]
+    NotWang(Kind, &'static str),
+    /// What a board does not go with.
+    #[error("{what} on a torus of tiles that are not turned only, not {on}")]
+    TorusOnly {
+        /// The condition.
+        what: &'static str,
+        /// The board.
+        on: String,
+    },
+    /// The tiles that squares show, with two palettes.
+    #[error("colors {0}: squares that may be turned have one number of colors for all edges")]
+    Palettes(Colors),
+    /// More different tiles than the search chooses from.
+    #[error(
+        "the squares show up to {0} different tiles: the search handles up to {MAX_WANG_TILES}"
+    )]
+    TooManyTurns(u64),
+    /// A prescribed color is none of the set.
+    #[error("border: color {color} in the {side}, expected 0 to {max}")]
+    BorderColor {
+        /// The color.
+        color: u8,
+        /// The side.
+        side: &'static str,
+        /// The largest color there.
+        max: usize,
+    },
+    /// The border does not suit the board.
+    #[error(transparent)]
+    Border(#[from] BorderError),
     /// The automorphism does not suit.
     #[error(transparent)]
     Automorphism(#[from] AutomorphismError),
@@ -95,19 +130,39 @@ pub enum TaskError {
 impl Task {
     /// A task without anything given beforehand.
     pub fn new(set: TileSet, shape: Shape) -> Self {
-        let pins = Pins::free(Lattice { kind: set.kind(), shape });
-        Self {
-            set,
-            shape,
-            cover: false,
-            automorphism: None,
-            pins,
-            order: None,
-            prunings: Prunings::default(),
+        Self::on(set, shape, Board::default())
+    }
+
+    /// A task on a board without anything else given beforehand.
+    pub fn on(set: TileSet, shape: Shape, board: Board) -> Self {
+        let pins = match board.is_plain() {
+            true => Pins::free(Lattice { kind: set.kind(), shape }),
+            false => Pins::free_labels(Edges { shape, topology: board.topology }.labels()),
+        };
+        let prunings = Prunings::default();
+        let (automorphism, order) = (None, None);
+        Self { set, shape, board, cover: false, automorphism, pins, order, prunings }
+    }
+
+    /// The places of the colors of the board asked for.
+    pub fn edges(&self) -> Edges {
+        Edges { shape: self.shape, topology: self.board.topology }
+    }
+
+    /// The number of labels of a packing.
+    pub fn labels(&self) -> usize {
+        self.pins.labels().len()
+    }
+
+    /// The packing that labels, as a search gives them, describe.
+    pub fn packing(&self, labels: &[u8]) -> Packing {
+        match self.board.is_plain() {
+            true => self.lattice().packing(labels, &self.set, self.cover),
+            false => Packing::of_picture(labels, &self.set, self.shape, &self.board),
         }
     }
 
-    /// The label positions of the packing asked for.
+    /// The label positions of the packing asked for, on a torus.
     pub fn lattice(&self) -> Lattice {
         Lattice { kind: self.set.kind(), shape: self.shape }
     }
@@ -124,6 +179,9 @@ impl Task {
     /// Wang tiles by columns.
     pub fn visiting_order(&self) -> Order {
         let (w, h) = (self.shape.width(), self.shape.height());
+        if !self.board.is_plain() {
+            return self.order.unwrap_or(if w <= h { Order::Row } else { Order::Column });
+        }
         self.order.unwrap_or(match (self.set.kind(), &self.automorphism) {
             (Kind::Corner, Some(automorphism)) if automorphism.dx == 0 => Order::Column,
             (Kind::Corner, Some(_)) => Order::Row,
@@ -152,6 +210,7 @@ impl Task {
             return Err(TaskError::Size { shape: self.shape, cells, tiles, hint });
         }
         self.check_prunings()?;
+        self.check_board()?;
         if let Some(automorphism) = &self.automorphism {
             automorphism.check(&self.set, self.shape, self.cover)?;
         }
@@ -169,6 +228,48 @@ impl Task {
         if prunings.last_lines && (self.cover || !in_lines || !small) {
             return Err(TaskError::LastLines);
         }
+        Ok(())
+    }
+
+    fn check_board(&self) -> Result<(), TaskError> {
+        let Self { set, shape, board, .. } = self;
+        let Board { topology, rotations, border } = board;
+        if board.is_plain() {
+            return Ok(());
+        }
+        if set.kind() != Kind::Wang {
+            let what = if *rotations { "rotations are" } else { "other boards are" };
+            return Err(TaskError::NotWang(set.kind(), what));
+        }
+        let conditions = [
+            (self.cover, "coverings are"),
+            (self.automorphism.is_some(), "automorphisms are"),
+            (set.is_compact(), "compact sets are"),
+        ];
+        if let Some((_, what)) = conditions.into_iter().find(|(asked, _)| *asked) {
+            let turned = if *rotations { " of squares that are turned" } else { "" };
+            return Err(TaskError::TorusOnly { what, on: format!("on a {topology}{turned}") });
+        }
+        if *rotations {
+            if set.colors().single().is_none() {
+                return Err(TaskError::Palettes(set.colors()));
+            }
+            if 4 * set.size() > MAX_WANG_TILES {
+                return Err(TaskError::TooManyTurns(4 * set.size()));
+            }
+        }
+        let sides: [Vec<_>; 4] = std::array::from_fn(|side| border.side(side).to_vec());
+        for (side, colors) in sides.iter().enumerate() {
+            let palette = match side % 2 {
+                0 => set.colors().horizontal(),
+                _ => set.colors().vertical(),
+            };
+            if let Some(color) = colors.iter().flatten().find(|&&c| usize::from(c) >= palette) {
+                let (color, side, max) = (*color, SIDES[side], palette - 1);
+                return Err(TaskError::BorderColor { color, side, max });
+            }
+        }
+        Border::new(*topology, *shape, sides)?;
         Ok(())
     }
 
@@ -196,7 +297,10 @@ impl Task {
 
     /// Why there is plainly no solution, when a short argument shows it.
     pub fn impossible(&self) -> Option<String> {
-        impossible::reason(self)
+        match self.board.is_plain() {
+            true => impossible::reason(self),
+            false => board_impossible::reason(self),
+        }
     }
 }
 

@@ -4,11 +4,12 @@
 //! tile numbers. `#` begins a comment, lines without a number are skipped, and the first line
 //! may say what the grid is: `kind=wang colors=2,3 set=pruned:0-1 cover`.
 
+use super::border::{border_in, border_word};
 use super::claim::{Claim, ring_colors};
 use super::solution::Solution;
 use super::{Input, StoreError};
 use crate::tiles::{Kind, Members, TileId, TileSet, notation};
-use crate::torus::{Cell, Lattice, Packing, Shape};
+use crate::torus::{Board, Border, Cell, Lattice, Packing, Shape, Topology};
 use serde_json::Value;
 use std::fmt::Display;
 use std::io::{self, Write};
@@ -17,6 +18,8 @@ use std::io::{self, Write};
 pub(super) struct Grid<'a> {
     input: &'a Input,
     pub(super) header: Claim,
+    /// What it says about the board.
+    pub(super) board: Board,
     pub(super) shape: Shape,
     /// The byte offset of the first line that says anything.
     start: usize,
@@ -29,9 +32,10 @@ impl<'a> Grid<'a> {
     pub(super) fn split(input: &'a Input) -> Result<Self, StoreError> {
         let mut lines = lines(input).peekable();
         let start = lines.peek().map_or(0, |line| line.0);
-        let is_header = |word: &str| word.contains('=') || word == "cover";
+        let is_header = |word: &str| word.contains('=') || ["cover", "rotations"].contains(&word);
         let header = lines.next_if(|(_, line)| words(line).next().is_some_and(|w| is_header(w.1)));
-        let header = header.map_or(Ok(Claim::default()), |line| read_header(input, line))?;
+        let said = header.map_or(Ok(Default::default()), |line| read_header(input, line))?;
+        let (header, said): (Claim, BoardWords<'_>) = said;
         let rows: Vec<_> = lines.collect();
         let width = rows.first().map_or(0, |(_, line)| words(line).count());
         for (row, (offset, line)) in rows.iter().enumerate() {
@@ -47,7 +51,42 @@ impl<'a> Grid<'a> {
         }
         let shape = Shape::new(width as u64, rows.len() as u64);
         let shape = shape.map_err(|error| input.error(error.to_string()))?;
-        Ok(Self { input, header, shape, start, rows })
+        let border = match said.border {
+            None => Border::default(),
+            Some((offset, word)) => border_in(word, said.topology, shape)
+                .map_err(|message| input.error_at(offset, message))?,
+        };
+        let board = Board { topology: said.topology, rotations: said.rotations, border };
+        Ok(Self { input, header, board, shape, start, rows })
+    }
+
+    /// Passes on the cells of a board with their quarter turns, written `12/3`, row by row.
+    pub(super) fn squares(
+        &self,
+        all: &TileSet,
+        free: bool,
+        mut take: impl FnMut(Cell, Option<(TileId, u8)>),
+    ) -> Result<(), StoreError> {
+        let max = all.kind().tiles(all.colors()) - 1;
+        for (row, (start, line)) in self.rows.iter().enumerate() {
+            for (column, (offset, word)) in words(line).enumerate() {
+                let square = word.split_once('/').and_then(|(tile, turns)| {
+                    let tile = decimal(tile).filter(|&tile| tile <= max)?;
+                    let turns = decimal(turns).filter(|&turns| turns < 4)?;
+                    Some((TileId(tile as u32), turns as u8))
+                });
+                if square.is_none() && !(free && word == ".") {
+                    let or = if free { " or ." } else { "" };
+                    let message = format!(
+                        "square '{word}': expected N/T, a tile from 0 to {max} and 0 to 3 \
+                         quarter turns{or}"
+                    );
+                    return Err(self.input.error_at(start + offset, message));
+                }
+                take(self.shape.cell(row, column), square);
+            }
+        }
+        Ok(())
     }
 
     /// Passes on the cells row by row; `.` is a free cell where `free` allows it.
@@ -98,8 +137,21 @@ fn decimal(word: &str) -> Option<u64> {
     if digits { word.parse().ok() } else { None }
 }
 
-fn read_header(input: &Input, (start, line): (usize, &str)) -> Result<Claim, StoreError> {
+/// What a first line says about the board.
+#[derive(Default)]
+struct BoardWords<'a> {
+    topology: Topology,
+    rotations: bool,
+    border: Option<(usize, &'a str)>,
+}
+
+fn read_header<'a>(
+    input: &Input,
+    (start, line): (usize, &'a str),
+) -> Result<(Claim, BoardWords<'a>), StoreError> {
     let mut header = Claim::default();
+    let mut board = BoardWords::default();
+    let mut topology = None;
     for (offset, word) in words(line) {
         let wrong = |message: &dyn Display| input.error_at(start + offset, message.to_string());
         let twice = match word.split_once('=') {
@@ -113,9 +165,16 @@ fn read_header(input: &Input, (start, line): (usize, &str)) -> Result<Claim, Sto
                 let members = read_members(set).map_err(|error| wrong(&error))?;
                 header.members.replace(members).is_some()
             }
+            Some(("topology", text)) => {
+                board.topology = text.parse().map_err(|error: String| wrong(&error))?;
+                topology.replace(()).is_some()
+            }
+            Some(("border", text)) => board.border.replace((start + offset, text)).is_some(),
             None if word == "cover" => header.cover.replace(true).is_some(),
+            None if word == "rotations" => std::mem::replace(&mut board.rotations, true),
             _ => {
-                let expected = "expected kind=, colors=, set= or cover";
+                let expected =
+                    "expected kind=, colors=, set=, cover, topology=, border= or rotations";
                 return Err(wrong(&format!("'{word}': {expected}")));
             }
         };
@@ -123,7 +182,7 @@ fn read_header(input: &Input, (start, line): (usize, &str)) -> Result<Claim, Sto
             return Err(wrong(&format!("'{word}': said before on this line")));
         }
     }
-    Ok(header)
+    Ok((header, board))
 }
 
 /// The notation of the command line, and `tiles:5,7` for an explicit set.
@@ -152,6 +211,7 @@ pub(super) fn read(input: &Input, claim: &Claim) -> Result<Solution, StoreError>
     let first = grid.rows.first().and_then(|(row, line)| Some((row, words(line).next()?)));
     if let Some((row, (offset, word))) = first
         && decimal(word).is_none()
+        && !(grid.board.rotations && word.contains('/'))
     {
         let message = format!("'{word}': expected '{{', as JSON begins, or a number of a grid");
         return Err(input.error_at(row + offset, message));
@@ -167,7 +227,15 @@ pub(super) fn read(input: &Input, claim: &Claim) -> Result<Solution, StoreError>
     };
     let colors = ring_colors(kind, grid.shape, colors);
     let members = said.members.unwrap_or(Members::Complete);
-    let set = TileSet::new(kind, colors, members).map_err(|error| wrong(&error))?;
+    let board = grid.board.clone();
+    if kind != Kind::Wang && !board.is_plain() {
+        return Err(wrong(&format!("only Wang tiles lie on boards, but the kind is {kind}")));
+    }
+    let set = match members {
+        Members::Explicit(tiles) if board.rotations => TileSet::squares(colors, tiles),
+        members => TileSet::new(kind, colors, members),
+    };
+    let set = set.map_err(|error| wrong(&error))?;
     let cover = said.cover.unwrap_or(false);
     if let Some(message) =
         claim.contradiction(&set, grid.shape, cover).map_err(|error| wrong(&error))?
@@ -178,10 +246,17 @@ pub(super) fn read(input: &Input, claim: &Claim) -> Result<Solution, StoreError>
         let mut labels = Vec::new();
         grid.cells(&set, false, |_, color| labels.extend(color.map(|color| color as u8)))?;
         Lattice { kind, shape: grid.shape }.packing(&labels, &set, cover)
+    } else if board.rotations {
+        let (mut tiles, mut turns) = (Vec::new(), Vec::new());
+        grid.squares(&set, false, |_, square| {
+            tiles.extend(square.map(|(tile, _)| tile));
+            turns.extend(square.map(|(_, turned)| turned));
+        })?;
+        Packing { board, turns, ..Packing::new(set, grid.shape, cover, tiles) }
     } else {
         let mut tiles = Vec::new();
         grid.cells(&set, false, |_, tile| tiles.extend(tile.map(TileId)))?;
-        Packing { set, shape: grid.shape, cover, tiles }
+        Packing { board, ..Packing::new(set, grid.shape, cover, tiles) }
     };
     let line = 1 + input.text()[..grid.start].bytes().filter(|&byte| byte == b'\n').count();
     Ok(Solution { packing, provenance: Value::Null, line })
@@ -206,6 +281,15 @@ pub fn write_grid(mut out: impl Write, packing: &Packing) -> io::Result<()> {
     };
     let largest = numbers.iter().max().copied().unwrap_or(0);
     write_grid_head(&mut out, packing)?;
+    if packing.board.rotations {
+        let squares = packing.tiles.iter().zip(&packing.turns);
+        let words: Vec<_> = squares.map(|(tile, turns)| format!("{tile}/{turns}")).collect();
+        let longest = words.iter().map(String::len).max().unwrap_or(0);
+        return words.chunks(packing.shape.width()).try_for_each(|row| {
+            let row: Vec<_> = row.iter().map(|word| format!("{word:>longest$}")).collect();
+            writeln!(out, "{}", row.join(" "))
+        });
+    }
     numbers
         .chunks(packing.shape.width())
         .try_for_each(|row| write_grid_row(&mut out, row.iter().copied(), largest))
@@ -225,7 +309,15 @@ pub fn write_grid_head(mut out: impl Write, about: &Packing) -> io::Result<()> {
         members => notation::write_members(members),
     };
     write!(out, "kind={} colors={} set={members}", set.kind(), set.colors())?;
-    writeln!(out, "{}", if about.cover { " cover" } else { "" })
+    write!(out, "{}", if about.cover { " cover" } else { "" })?;
+    let Board { topology, rotations, border } = &about.board;
+    if *topology != Topology::Torus {
+        write!(out, " topology={topology}")?;
+    }
+    if !border.is_free() {
+        write!(out, " border={}", border_word(border, *topology, about.shape))?;
+    }
+    writeln!(out, "{}", if *rotations { " rotations" } else { "" })
 }
 
 /// Writes a row of a grid, lattice colors for corner tiles, else tile numbers; `largest` is the

@@ -8,7 +8,7 @@ use crate::packing::{Job, Prunings, Question, Task};
 use crate::search::{Part, Values};
 use crate::symmetry::Automorphism;
 use crate::tiles::{Colors, Kind, Members, TileId, TileSet, notation};
-use crate::torus::{Order, Shape};
+use crate::torus::{Board, Border, Order, Shape, Topology};
 use serde::{Deserialize, Serialize};
 
 /// The version of the search tree. To be raised whenever a change makes some search visit other
@@ -28,6 +28,15 @@ struct Text {
     #[serde(skip_serializing_if = "Option::is_none")]
     tiles: Option<Vec<u32>>,
     size: String,
+    /// Of a board, where it is no torus.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    topology: Option<String>,
+    /// `true` where tiles may be turned.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    rotations: Option<bool>,
+    /// By side, north, east, south, west, where any color is prescribed.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    border: Option<[Vec<Option<u8>>; 4]>,
     cover: bool,
     automorphism: Option<String>,
     pins: Option<Vec<Option<u8>>>,
@@ -78,6 +87,12 @@ pub fn write_job(job: &Job) -> String {
         set,
         tiles,
         size: task.shape.to_string(),
+        topology: Some(task.board.topology)
+            .filter(|&topology| topology != Topology::Torus)
+            .map(|topology| topology.to_string()),
+        rotations: task.board.rotations.then_some(true),
+        border: (!task.board.border.is_free())
+            .then(|| std::array::from_fn(|side| task.board.border.side(side).to_vec())),
         cover: task.cover,
         automorphism: task.automorphism.as_ref().map(ToString::to_string),
         pins: task.has_pins().then(|| task.pins.labels().to_vec()),
@@ -135,10 +150,20 @@ fn job(said: &Text) -> Result<Job, String> {
             .map_err(wrong)?
             .ok_or_else(|| format!("unknown set {:?}", said.set))?,
     };
-    let set = TileSet::new(kind, colors, members).map_err(wrong)?;
+    let rotations = said.rotations.unwrap_or(false);
+    let set = match members {
+        Members::Explicit(tiles) if rotations && kind == Kind::Wang => {
+            TileSet::squares(colors, tiles)
+        }
+        members => TileSet::new(kind, colors, members),
+    };
+    let set = set.map_err(wrong)?;
     let shape: Shape = said.size.parse().map_err(wrong)?;
     Task::check_size(&set, shape).map_err(wrong)?;
-    let mut task = Task::new(set, shape);
+    let topology = said.topology.as_deref().unwrap_or("torus").parse::<Topology>()?;
+    let border = Border::new(topology, shape, said.border.clone().unwrap_or_default());
+    let board = Board { topology, rotations, border: border.map_err(wrong)? };
+    let mut task = Task::on(set, shape, board);
     task.cover = said.cover;
     task.order = Some(said.order.parse::<Order>().map_err(wrong)?);
     if let Some(text) = &said.prunings {
@@ -155,7 +180,12 @@ fn job(said: &Text) -> Result<Job, String> {
         for (label, color) in pins.iter().enumerate() {
             let Some(color) = *color else { continue };
             // The labels of a Wang tile are those of its north and west edges.
-            let palette = match kind == Kind::Wang && label % 2 == 1 {
+            let odd = match label.checked_sub(2 * shape.cells()) {
+                // The outer east edges come after those of all cells.
+                Some(outer) => topology == Topology::Rectangle && outer < shape.height(),
+                None => label % 2 == 1,
+            };
+            let palette = match kind == Kind::Wang && odd {
                 true => colors.vertical(),
                 false => colors.horizontal(),
             };

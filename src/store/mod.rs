@@ -7,6 +7,7 @@
 //! * [`Input`] opens a file and refuses what cannot be text;
 //! * [`solutions()`] reads packings from solution JSON, JSON lines and text grids;
 //! * [`read_pins`] reads cells given beforehand, [`read_tile_set`] a set of tiles;
+//! * [`read_border`], [`read_squares`] and [`read_pins_on_board`] are for boards;
 //! * [`read_cubes`] and [`write_cubes`] do the same for packings of cubes;
 //! * [`write_solution`], [`write_grid`] and [`write_tile_set`] are their inverses;
 //! * [`AtomicFile`] and [`check_writable`] see to it that a result is not lost;
@@ -18,6 +19,7 @@
 //! The formats are described, with examples, in `docs/formats.md`.
 
 mod atomic;
+mod border;
 mod checkpoint;
 mod claim;
 mod codec;
@@ -31,6 +33,7 @@ mod keeping;
 mod kept;
 mod lock;
 mod pins;
+mod pins_on_board;
 mod plan;
 mod read;
 mod sealed;
@@ -39,6 +42,7 @@ mod solutions;
 mod tile_set;
 
 pub use atomic::{AtomicFile, check_writable, write_file};
+pub use border::read_border;
 pub use checkpoint::{Checkpoint, Opened, previous, read_checkpoint, set_aside, write_checkpoint};
 pub use claim::Claim;
 pub use cubes::{CubeSolution, cube_fields, holds_cubes, read_cubes, write_cubes};
@@ -49,12 +53,13 @@ pub use keeping::{Keeping, Report, Writer, Written};
 pub use kept::{Extent, Kept};
 pub use lock::Lock;
 pub use pins::read_pins;
+pub use pins_on_board::read_pins_on_board;
 pub use plan::{MAX_PARTS, PartFiles, PartResult, SearchPlan};
 pub use read::{Input, MAX_BYTES};
 pub use sealed::hexadecimal;
 pub use solution::{FORMAT, Layout, Solution, TakeRow, write_solution, write_solution_rows};
 pub use solutions::{Solutions, read_solution, solutions};
-pub use tile_set::{NamedSet, read_tile_set, write_tile_set};
+pub use tile_set::{NamedSet, read_squares, read_tile_set, write_tile_set};
 
 use std::path::{Path, PathBuf};
 

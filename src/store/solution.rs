@@ -4,11 +4,12 @@
 //! can add some; a known field of the wrong type is an error, and so is another format or
 //! topology. The provenance is kept but never trusted.
 
+use super::border::{border_of, border_value};
 use super::claim::{Claim, ring_colors};
 use super::json::{CellNumber, ColorCounts, Field, Number, Rows, SetMembers};
 use super::{Input, StoreError};
-use crate::tiles::{Members, TileId, TileSet};
-use crate::torus::{Cell, Packing, Shape};
+use crate::tiles::{Kind, Members, TileId, TileSet};
+use crate::torus::{Board, Border, Cell, Packing, Shape, Topology};
 use serde::Deserialize;
 use serde_json::value::RawValue;
 use serde_json::{Value, json};
@@ -48,7 +49,11 @@ pub(super) struct Document<'a> {
     #[serde(borrow)]
     topology: Option<&'a RawValue>,
     #[serde(borrow)]
+    border: Option<&'a RawValue>,
+    #[serde(borrow)]
     tiles: Option<&'a RawValue>,
+    #[serde(borrow)]
+    rotations: Option<&'a RawValue>,
     #[serde(borrow)]
     provenance: Option<&'a RawValue>,
 }
@@ -74,8 +79,10 @@ impl<'a> Object<'a> {
     /// complete: all tiles that can occur.
     pub(super) fn frame(&self) -> Result<(TileSet, Shape), StoreError> {
         self.field("format", |f| f.format)?.word("format", &[FORMAT])?;
-        self.field("topology", |f| f.topology)?.word("topology", &["torus"])?;
         let kind = self.field("kind", |f| f.kind)?.kind()?;
+        let known = if kind == Kind::Wang { &Topology::ALL[..] } else { &Topology::ALL[..1] };
+        let known: Vec<&str> = known.iter().map(|topology| topology.name()).collect();
+        self.field("topology", |f| f.topology)?.word("topology", &known)?;
         let side = Number { what: "a number of cells", max: u64::from(u32::MAX) };
         let width = self.field("width", |f| f.width)?;
         let height = self.field("height", |f| f.height)?.read(side)?;
@@ -84,6 +91,32 @@ impl<'a> Object<'a> {
         let colors = ring_colors(kind, shape, field.read(ColorCounts)?);
         let set = TileSet::new(kind, colors, Members::Complete);
         Ok((set.map_err(|error| field.error(error))?, shape))
+    }
+
+    /// Which sides meet, whether there are turns, and the border.
+    pub(super) fn board(&self, shape: Shape) -> Result<Board, StoreError> {
+        let field = self.field("topology", |f| f.topology)?;
+        let topology = field.string()?.parse().map_err(|error: String| field.error(error))?;
+        let border = match Field::optional(self.input, self.fields.border) {
+            None => Border::default(),
+            Some(field) => {
+                let value: Value = field.read(std::marker::PhantomData)?;
+                border_of(&value, topology, shape).map_err(|error| field.error(error))?
+            }
+        };
+        Ok(Board { topology, rotations: self.fields.rotations.is_some(), border })
+    }
+
+    /// Passes the quarter turns on, row by row; `null` is a free cell where `free` allows it.
+    pub(super) fn turns(
+        &self,
+        shape: Shape,
+        free: bool,
+        take: impl FnMut(Cell, Option<u64>),
+    ) -> Result<(), StoreError> {
+        let number = Number { what: "a number of quarter turns", max: 3 };
+        let cell = CellNumber { number, free };
+        self.field("rotations", |f| f.rotations)?.read(Rows { shape, cell, take })
     }
 
     /// Passes the tiles on, row by row; `null` is a free cell where `free` allows it.
@@ -104,7 +137,13 @@ impl<'a> Object<'a> {
         let color = Number { what: "a color", max: all.colors().largest() as u64 - 1 };
         let field = self.field("set", |f| f.set)?;
         let members = field.read(SetMembers { tile: tile_number(&all), color })?;
-        let set = TileSet::new(all.kind(), all.colors(), members);
+        let board = self.board(shape)?;
+        let set = match members {
+            Members::Explicit(tiles) if board.rotations && all.kind() == Kind::Wang => {
+                TileSet::squares(all.colors(), tiles)
+            }
+            members => TileSet::new(all.kind(), all.colors(), members),
+        };
         let set = set.map_err(|error| field.error(error))?;
         let cover = match Field::optional(self.input, self.fields.cover) {
             None => false,
@@ -123,7 +162,11 @@ impl<'a> Object<'a> {
         self.tiles(&all, shape, false, |_, tile| {
             tiles.extend(tile.map(|tile| TileId(tile as u32)));
         })?;
-        Ok((Packing { set, shape, cover, tiles }, provenance))
+        let mut turns = Vec::new();
+        if board.rotations {
+            self.turns(shape, false, |_, turn| turns.extend(turn.map(|turn| turn as u8)))?;
+        }
+        Ok((Packing { board, turns, ..Packing::new(set, shape, cover, tiles) }, provenance))
     }
 }
 
@@ -179,23 +222,34 @@ pub fn write_solution_rows(
     }
     write!(out, ",{gap}\"tiles\":{space}[")?;
     let mut line = Vec::new();
-    let mut begins = true;
-    rows(&mut |tiles| {
+    let mut row_of = |out: &mut dyn Write, first: bool, numbers: &mut dyn Iterator<Item = u32>| {
         line.clear();
-        if !std::mem::replace(&mut begins, false) {
+        if !first {
             line.push(b',');
         }
         line.extend_from_slice(if pretty { b"\n    [" } else { b"[" });
-        for (column, tile) in tiles.iter().enumerate() {
+        for (column, number) in numbers.enumerate() {
             if column > 0 {
                 line.extend_from_slice(if pretty { b", " } else { b"," });
             }
-            push_decimal(&mut line, tile.0);
+            push_decimal(&mut line, number);
         }
         line.push(b']');
         out.write_all(&line)
+    };
+    let mut first = true;
+    rows(&mut |tiles| {
+        let first = std::mem::replace(&mut first, false);
+        row_of(&mut out, first, &mut tiles.iter().map(|tile| tile.0))
     })?;
     write!(out, "{}]", if pretty { "\n  " } else { "" })?;
+    if about.board.rotations {
+        write!(out, ",{gap}\"rotations\":{space}[")?;
+        for (row, turns) in about.turns.chunks(about.shape.width()).enumerate() {
+            row_of(&mut out, row == 0, &mut turns.iter().map(|&turns| u32::from(turns)))?;
+        }
+        write!(out, "{}]", if pretty { "\n  " } else { "" })?;
+    }
     if !provenance.is_null() {
         write!(out, ",{gap}\"provenance\":{space}{provenance}")?;
     }
@@ -242,6 +296,10 @@ fn fields(packing: &Packing) -> Vec<(&'static str, Value)> {
     }
     fields.push(("width", json!(shape.width())));
     fields.push(("height", json!(shape.height())));
-    fields.push(("topology", json!("torus")));
+    let Board { topology, border, .. } = &packing.board;
+    fields.push(("topology", json!(topology.name())));
+    if !border.is_free() {
+        fields.push(("border", border_value(border, *topology, shape)));
+    }
     fields
 }

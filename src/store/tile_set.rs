@@ -46,6 +46,19 @@ struct Document<'a> {
 /// A malformed file, a color outside the palettes, a tile listed twice, no tile at all, or
 /// palettes in the file other than `colors`.
 pub fn read_tile_set(input: &Input, colors: Option<Colors>) -> Result<NamedSet, StoreError> {
+    read(input, colors, false)
+}
+
+/// Reads a set of squares that may be turned: Wang tiles with one palette for all edges, which
+/// may be listed again.
+///
+/// # Errors
+/// As [`read_tile_set`], but for tiles listed twice; another kind, or two palettes.
+pub fn read_squares(input: &Input, colors: Option<Colors>) -> Result<NamedSet, StoreError> {
+    read(input, colors, true)
+}
+
+fn read(input: &Input, colors: Option<Colors>, squares: bool) -> Result<NamedSet, StoreError> {
     let start = input.start();
     let text = &input.text()[start..];
     if !text.starts_with('{') {
@@ -55,6 +68,9 @@ pub fn read_tile_set(input: &Input, colors: Option<Colors>) -> Result<NamedSet, 
         serde_json::from_str(text).map_err(|error| json_error(input, start, text, &error))?;
     let kind_field = Field::required(input, start, "kind", fields.kind)?;
     let kind = kind_field.kind()?;
+    if squares && kind != Kind::Wang {
+        return Err(kind_field.error(format!("{kind} tiles are not turned: only Wang tiles are")));
+    }
     let colors = match Field::optional(input, fields.colors) {
         None => colors,
         Some(field) => {
@@ -71,15 +87,22 @@ pub fn read_tile_set(input: &Input, colors: Option<Colors>) -> Result<NamedSet, 
     if let Some(colors) = colors {
         check_palettes(kind, colors).map_err(|message| kind_field.error(message))?;
     }
-    let tiles = field.read(Tiles { kind, colors })?;
-    let colors = match colors {
-        Some(colors) => colors,
-        None => smallest(kind, &tiles).map_err(|error| field.error(error))?,
+    let tiles = field.read(Tiles { kind, colors, squares })?;
+    let colors = match (colors, squares) {
+        (Some(colors), _) => colors,
+        (None, false) => smallest(kind, &tiles).map_err(|error| field.error(error))?,
+        (None, true) => {
+            let both = smallest(kind, &tiles).map_err(|error| field.error(error))?;
+            Colors::one(both.largest() as u64).map_err(|error| field.error(error))?
+        }
     };
     let ids = tiles.iter().map(|tile| kind.pack(&tile[..kind.sides().len()], colors));
     let set = ids
         .collect::<Result<Vec<TileId>, _>>()
-        .and_then(|ids| TileSet::new(kind, colors, Members::Explicit(ids)))
+        .and_then(|ids| match squares {
+            true => TileSet::squares(colors, ids),
+            false => TileSet::new(kind, colors, Members::Explicit(ids)),
+        })
         .map_err(|error| field.error(error))?;
     let text = |raw| match Field::optional(input, raw) {
         None => Ok(None),
@@ -124,6 +147,8 @@ fn file_order(kind: Kind) -> &'static [usize] {
 struct Tiles {
     kind: Kind,
     colors: Option<Colors>,
+    /// A tile may be listed again.
+    squares: bool,
 }
 
 impl<'de> DeserializeSeed<'de> for Tiles {
@@ -147,7 +172,9 @@ impl<'de> Visitor<'de> for Tiles {
         while let Some(tile) =
             list.next_element_seed(Tile { kind: self.kind, colors: self.colors, seen: &seen })?
         {
-            seen.insert(tile);
+            if !self.squares {
+                seen.insert(tile);
+            }
             tiles.push(tile);
         }
         Ok(tiles)

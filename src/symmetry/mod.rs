@@ -15,6 +15,7 @@
 //! * [`group`]: all symmetries of the packings of a set on a torus;
 //! * [`anchor`], [`canonical`]: is this packing the representative of its orbit, and how large
 //!   is the orbit?
+//! * [`board`]: the symmetries of boards and the canonical pictures on them;
 //! * [`orbits`]: the orbits of a whole list, by canonical forms and by Burnside's lemma.
 //!
 //! ```
@@ -35,6 +36,7 @@
 
 pub mod anchor;
 pub mod automorphism;
+pub mod board;
 pub mod canonical;
 pub mod color_map;
 pub mod element;
@@ -46,6 +48,7 @@ pub mod suggest;
 
 pub use anchor::Anchor;
 pub use automorphism::{Automorphism, AutomorphismError};
+pub use board::BoardCanonizer;
 pub use canonical::Canonizer;
 pub use color_map::ColorMap;
 pub use element::{PointSymmetry, Symmetry};

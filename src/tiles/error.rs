@@ -41,6 +41,9 @@ pub enum TileError {
         /// Its colors, for people.
         sides: String,
     },
+    /// Squares to be turned have two palettes.
+    #[error("colors {0}: squares that may be turned have one number of colors for all edges")]
+    TurnedPalettes(String),
     /// An explicit set holds no tile.
     #[error("the set holds no tile")]
     EmptySet,

@@ -2,7 +2,7 @@
 //!
 //! A **corner tile** is a square with a color on each corner, a **Wang tile** a square with a
 //! color on each edge, a **domino** a unit segment with a color on each end. Tiles are neither
-//! rotated nor reflected. Two tiles may be neighbors when the colors they share agree.
+//! rotated nor reflected, but for *squares* ([`turn`]), which may be turned. Two tiles may be neighbors when the colors they share agree.
 //!
 //! Every tile has one number, its [`TileId`]: its colors read as the digits of a mixed-radix
 //! number. A [`TileSet`] says which numbers are in play; [`formula`] gives its size without
@@ -18,6 +18,7 @@ pub mod formula;
 pub mod kind;
 pub mod notation;
 pub mod set;
+pub mod turn;
 pub mod unpack;
 pub mod wang;
 

@@ -6,10 +6,11 @@
 //!   Many sets have this property; *which* one a packing uses is free.
 //! * **pruned** (Schlömer 2012, 2.4): the complete set less every tile that shows both colors
 //!   of an excluded pair. The pairs are the edges of any graph on the colors.
-//! * **explicit**: any list of different tiles.
+//! * **explicit**: any list of different tiles; or of squares ([`super::turn`]), which may be
+//!   equal.
 //!
 //! Invariant: the colors of every pair and tile lie in their palettes, pairs are `a < b`,
-//! sorted and different, explicit tiles are sorted and different.
+//! sorted and different, explicit tiles are sorted, and different but for squares.
 
 use super::{Color, Colors, Kind, TileError, TileId, formula};
 
@@ -56,6 +57,12 @@ impl TileSet {
             other => other,
         };
         Ok(Self { kind, colors, members })
+    }
+
+    /// The same with tiles listed again: `tiles` are sorted and those of the set.
+    pub(super) fn with_repeated(mut self, tiles: Vec<TileId>) -> Self {
+        self.members = Members::Explicit(tiles);
+        self
     }
 
     /// The kind of its tiles.

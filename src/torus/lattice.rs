@@ -64,7 +64,7 @@ impl Lattice {
     pub fn packing(self, labels: &[u8], set: &TileSet, cover: bool) -> Packing {
         let cells = (0..self.shape.cells() as u32).map(Cell);
         let tiles = cells.map(|cell| self.tile(labels, set, cell)).collect();
-        Packing { set: set.clone(), shape: self.shape, cover, tiles }
+        Packing::new(set.clone(), self.shape, cover, tiles)
     }
 
     /// The labels of a packing, or the first cell one of whose neighbors does not fit.
@@ -107,7 +107,7 @@ mod tests {
     fn a_mismatch_is_found() {
         let set = TileSet::new(Kind::Domino, Colors::one(2).unwrap(), Members::Complete).unwrap();
         let shape = Shape::new(2, 1).unwrap();
-        let packing = Packing { set, shape, cover: false, tiles: vec![TileId(1), TileId(1)] };
+        let packing = Packing::new(set, shape, false, vec![TileId(1), TileId(1)]);
         assert_eq!(Lattice::labels_of(&packing), Err(Cell(1)));
     }
 }

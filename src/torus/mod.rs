@@ -1,4 +1,4 @@
-//! Where tiles go: a torus of `width` x `height` cells.
+//! Where tiles go: a torus of `width` x `height` cells, or a [`Board`] with outer sides.
 //!
 //! Rows run north to south, columns west to east, both wrap around. A packing is an array of
 //! tiles; what neighbors share is better said once, so a [`Lattice`] holds the *labels*: one
@@ -6,6 +6,7 @@
 //! cell for Wang tiles, the color of the first end for dominoes. Search and symmetry work on
 //! labels, files and verification on tiles. [`Cubes`] fill a torus in space.
 
+pub mod board;
 pub mod cubes;
 pub mod fold;
 pub mod lattice;
@@ -14,6 +15,7 @@ pub mod packing;
 pub mod pins;
 pub mod shape;
 
+pub use board::{Board, Border, BorderError, Edges, Topology};
 pub use cubes::{CubeKind, CubeSet, Cubes, MAX_CUBES, places};
 pub use fold::Fold;
 pub use lattice::Lattice;

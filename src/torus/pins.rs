@@ -11,7 +11,12 @@ pub struct Pins(Vec<Option<u8>>);
 impl Pins {
     /// Every label free.
     pub fn free(lattice: Lattice) -> Self {
-        Self(vec![None; lattice.labels()])
+        Self::free_labels(lattice.labels())
+    }
+
+    /// Every one of so many labels free.
+    pub fn free_labels(labels: usize) -> Self {
+        Self(vec![None; labels])
     }
 
     /// Pins the label at this position, numbered as in [`Lattice::sides`].

@@ -121,6 +121,51 @@ pub enum Fault {
         /// Where the neighbor touches the tile.
         neighbor: Touch,
     },
+    /// What the board, its border or the turns are said to be makes no sense.
+    #[error("{what}")]
+    Board {
+        /// What is to be said.
+        what: &'static str,
+    },
+    /// More or fewer turns than tiles that may be turned.
+    #[error("there are {}, expected {expected}", count(*.given as u64, "turn"))]
+    Turns {
+        /// The turns given.
+        given: usize,
+        /// The tiles that may be turned.
+        expected: usize,
+    },
+    /// No number of quarter turns.
+    #[error("{at}: {turns} quarter turns: expected 0 to 3")]
+    Turn {
+        /// The cell.
+        at: Place,
+        /// The turns.
+        turns: u8,
+    },
+    /// An outer side does not have the color prescribed.
+    #[error("{}: {} has color {}, but the border has color {asked} there", .this.at, .this.part,
+        .this.color)]
+    Border {
+        /// The side.
+        this: Touch,
+        /// The color prescribed.
+        asked: u8,
+    },
+    /// A tile occurs more or less often than the set lists it.
+    #[error("{tile} occurs {}{}, but the set lists it {}", times_of(*.times),
+        if .at.is_empty() { String::new() } else { format!(": at {}", places(.at, *.times)) },
+        times_of(*.copies))]
+    Copies {
+        /// The tile.
+        tile: Tile,
+        /// How often it occurs.
+        times: u64,
+        /// How often it should.
+        copies: u64,
+        /// The first places where it does.
+        at: Vec<Place>,
+    },
     /// A tile that should occur once occurs again.
     #[error("{tile} occurs {times} times: at {}", places(.at, *.times))]
     Repeated {
@@ -162,6 +207,11 @@ impl Fault {
 /// `1 tile`, `2 tiles`.
 fn count(number: u64, what: &str) -> String {
     format!("{number} {what}{}", if number == 1 { "" } else { "s" })
+}
+
+/// `once`, `3 times`.
+fn times_of(number: u64) -> String {
+    if number == 1 { "once".to_owned() } else { format!("{number} times") }
 }
 
 /// `A and B`, `A, B and C`, `A, B, C, D and 5 more`.

@@ -3,7 +3,8 @@
 //! A packing is right when every tile number exists, every tile belongs to the set, the torus
 //! has as many cells as the set has tiles, every two neighbors agree on the color they share,
 //! also across both seams, and every tile occurs exactly once. (A covering may have more cells,
-//! and a tile may occur again.) That is all this module looks at. It shares no code with the
+//! and a tile may occur again.) On a board some seams are open and outer sides may have colors
+//! prescribed; squares may be turned, and the set may list several that are alike. That is all this module looks at. It shares no code with the
 //! search, the constructions, the symmetries or the files, and reads tile numbers by itself, so
 //! that a mistake there cannot hide here.
 //!
@@ -11,6 +12,7 @@
 //!
 //! Source: Lagae 2007, sections 2.2 and 5.5; Schlömer 2012, sections 2.4 and 3.3.
 
+mod board;
 mod cubes;
 mod decode;
 mod fault;
@@ -49,7 +51,7 @@ impl Verdict {
     }
 
     /// The faults kept, at most [`KEPT`] of a sort: size, tile numbers out of range, tiles
-    /// outside the set, neighbors that do not fit, a third tile of a class of a compact set,
+    /// outside the set, neighbors that do not fit, outer sides that do not fit the border, a third tile of a class of a compact set,
     /// tiles that occur again, tiles missing.
     pub fn faults(&self) -> &[Fault] {
         &self.faults
@@ -117,11 +119,16 @@ pub fn check(packing: &Packing) -> Verdict {
     let numbering = Numbering::new(&packing.set);
     let members = Membership::new(&packing.set, &numbering);
     check_size(packing, &members, &mut verdict);
+    board::check_sense(packing, &mut verdict);
     check_range(packing, &numbering, &mut verdict);
     if verdict.is_valid() {
         members::check(packing, &numbering, &members, &mut verdict);
         neighbors::check(packing, &numbering, &mut verdict);
-        occurrences::check(packing, &numbering, &members, &mut verdict);
+        board::check_border(packing, &numbering, &mut verdict);
+        match board::lists_again(packing) {
+            true => board::check_copies(packing, &numbering, &mut verdict),
+            false => occurrences::check(packing, &numbering, &members, &mut verdict),
+        }
     }
     verdict
 }

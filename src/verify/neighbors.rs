@@ -1,9 +1,10 @@
-//! Do neighbors agree on the color they share, also across both seams?
+//! Do neighbors agree on the color they share, also across the seams that are closed?
 //!
 //! Every cell is compared with its neighbor to the east and to the south, which covers every
 //! pair once. Corner tiles share two corners with each; that the four tiles around a lattice
 //! point agree follows from the pairs. A ring of dominoes has one direction only.
 
+use super::board::{closes_eastward, closes_southward, shown};
 use super::decode::Numbering;
 use super::{Fault, Place, Touch, Verdict};
 use crate::tiles::Kind;
@@ -30,13 +31,18 @@ pub(super) fn check(packing: &Packing, numbering: &Numbering, verdict: &mut Verd
         Kind::Domino if height > 1 => (&[][..], DOMINO),
         Kind::Domino => (DOMINO, &[][..]),
     };
+    let (eastward, southward) = (closes_eastward(packing), closes_southward(packing));
     for row in 0..height {
         for column in 0..width {
             let this = Place { row, column };
             let eastern = Place { row, column: (column + 1) % width };
             let southern = Place { row: (row + 1) % height, column };
-            compare(packing, numbering, (this, "east", eastern), east, verdict);
-            compare(packing, numbering, (this, "south", southern), south, verdict);
+            if eastward || column + 1 < width {
+                compare(packing, numbering, (this, "east", eastern), east, verdict);
+            }
+            if southward || row + 1 < height {
+                compare(packing, numbering, (this, "south", southern), south, verdict);
+            }
         }
     }
 }
@@ -48,9 +54,7 @@ fn compare(
     shared: &[Shared],
     verdict: &mut Verdict,
 ) {
-    let digits = |place: Place| {
-        numbering.digits(packing.tiles[place.row * packing.shape.width() + place.column])
-    };
+    let digits = |place: Place| shown(packing, numbering, place);
     let (mine, theirs) = (digits(at), digits(neighbor));
     for &((my_digit, my_part), (their_digit, their_part)) in shared {
         let (color, other) = (mine[my_digit], theirs[their_digit]);

@@ -3,10 +3,11 @@
 use crate::{bare, corner_2, input, written};
 use serde_json::{Value, json};
 use tilepack::store::{
-    Claim, Layout, PartResult, SearchPlan, holds_cubes, read_cubes, read_pins, read_solution,
-    read_tile_set, solutions, write_cubes, write_grid, write_solution,
+    Claim, Layout, PartResult, SearchPlan, holds_cubes, read_border, read_cubes, read_pins,
+    read_solution, read_tile_set, solutions, write_cubes, write_grid, write_solution,
 };
 use tilepack::tiles::Kind;
+use tilepack::torus::{Shape, Topology};
 use tilepack::verify::{check, check_cube_packing};
 
 /// The fenced blocks of a page, each with the words after its fence.
@@ -46,6 +47,11 @@ fn every_example_in_the_documentation_is_read() {
                 let (lattice, set) = corner_2();
                 assert!(read_pins(&input, lattice, &set).unwrap().pinned() >= 5, "{text}");
             }
+            "text border-3x2" => {
+                let shape = Shape::new(3, 2).unwrap();
+                let border = read_border(&input, Topology::Rectangle, shape).unwrap();
+                assert_eq!(border.side(3), [Some(0), None]);
+            }
             "json cubes" => {
                 assert!(holds_cubes(&input));
                 let cubes = read_cubes(&input).unwrap().packing;
@@ -77,7 +83,7 @@ fn every_example_in_the_documentation_is_read() {
         }
         seen.push(language);
     }
-    assert_eq!(seen.len(), 18);
+    assert_eq!(seen.len(), 21);
 }
 
 #[test]

@@ -83,10 +83,13 @@ pub fn wang(out: &mut dyn Write, view: &View<'_>) -> io::Result<()> {
             let label_x = x + (tile - view.label) / 2;
             canvas.label(label_x, 0, view, sides[0]);
             canvas.label(x, 1, view, sides[3]);
-            if sides[1] != view.sides(row, column + 1)[3] {
+            let (last_row, last_column) = (row + 1 == view.height, column + 1 == view.width);
+            let outer = last_column && !view.meets(1);
+            if outer || sides[1] != view.sides(row, column + 1)[3] {
                 canvas.label(x + tile - view.label, 1, view, sides[1]);
             }
-            if sides[2] != view.sides(row + 1, column)[0] {
+            let outer = last_row && !view.meets(2);
+            if outer || sides[2] != view.sides(row + 1, column)[0] {
                 canvas.label(label_x, 2, view, sides[2]);
             }
         }

@@ -12,7 +12,7 @@ pub mod colored;
 pub mod palette;
 pub mod plain;
 
-use crate::tiles::Kind;
+use crate::tiles::{Kind, turn};
 use crate::torus::{Cell, Packing};
 use std::io::{self, Write};
 
@@ -76,8 +76,17 @@ impl<'a> View<'a> {
 
     /// The colors of the tile in a cell, in the order of [`Kind::sides`].
     pub fn sides(&self, row: usize, column: usize) -> [u8; 4] {
-        let tile = self.packing.tile(self.cell(row, column));
-        self.kind.unpack(tile, self.packing.set.colors())
+        let cell = self.cell(row, column);
+        let sides = self.kind.unpack(self.packing.tile(cell), self.packing.set.colors());
+        match self.packing.turns.get(cell.index()) {
+            Some(&turns) => turn::turned(sides, turns),
+            None => sides,
+        }
+    }
+
+    /// Whether this side of the drawing, as in [`crate::torus::board::SIDES`], meets another one.
+    pub fn meets(&self, side: usize) -> bool {
+        !self.packing.board.topology.is_outer(side)
     }
 
     /// The number of the tile in a cell as text of equal lengths, empty when numbers are not wanted.

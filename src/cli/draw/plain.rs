@@ -2,7 +2,7 @@
 //!
 //! Every color stands once, where tiles share it: at the lattice points for corner tiles, on the
 //! edges for Wang tiles. Where those who share it disagree there is a cross. The last line and
-//! column repeat the first, for a torus closes. Dominoes show both ends each.
+//! column repeat the first where the board closes. Dominoes show both ends each.
 
 use super::View;
 use super::canvas::Canvas;
@@ -63,12 +63,20 @@ pub fn wang(out: &mut dyn Write, view: &View<'_>) -> io::Result<()> {
     let (w, h) = (view.width, view.height);
     let north = |row: usize, column: usize| {
         let ([n, ..], [_, _, s, _]) = (view.sides(row, column), view.sides(row + h - 1, column));
-        shared(view, [n, s])
+        match row {
+            0 if !view.meets(0) => view.name(n),
+            _ if row == h && !view.meets(2) => view.name(s),
+            _ => shared(view, [n, s]),
+        }
     };
     let west = |row: usize, column: usize| {
         let ([_, _, _, w_], [_, e, ..]) =
             (view.sides(row, column), view.sides(row, column + w - 1));
-        shared(view, [w_, e])
+        match column {
+            0 if !view.meets(3) => view.name(w_),
+            _ if column == w && !view.meets(1) => view.name(e),
+            _ => shared(view, [w_, e]),
+        }
     };
     for row in 0..=h {
         // Numbers have a line of their own, where they are not taken for colors.

@@ -87,6 +87,9 @@ pub fn check(task: &Task) -> Result<(), RowsError> {
     if task.cover {
         return Err(RowsError::Asked("coverings"));
     }
+    if !task.board.is_plain() {
+        return Err(RowsError::Asked("boards"));
+    }
     if task.has_pins() {
         return Err(RowsError::Asked("cells given beforehand"));
     }
