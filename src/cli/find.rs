@@ -23,7 +23,7 @@ use std::time::Instant;
 /// # Errors
 /// Bad input, or a file that cannot be written.
 pub fn run(args: &FindArgs) -> anyhow::Result<Exit> {
-    beam::refuse_width(args)?;
+    beam::refuse_elsewhere(args)?;
     ring::refuse(args)?;
     if args.recursive {
         return beam::run(args, None);

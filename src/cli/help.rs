@@ -54,11 +54,14 @@ Examples:
   tilepack find --kind wang --colors 4 --ring wei -o recursive.json
   tilepack find --kind corner --colors 4 --recursive --seed 24 -o recursive.json
   tilepack find --kind corner --colors 4 --method beam --seed 3
+  tilepack find --kind corner --colors 3 --method beam --first-row all
   tilepack find --kind corner --colors 6 --set pruned:0-1,2-3,4-5 --size 77x6 --method beam
   tilepack find --kind corner --colors 5 --set pruned:0-1 --cover --method anneal --aspect 2
 
 Beam search goes on, with new random choices by --seed, until it finds a packing or a limit or \
-signal stops it; a beam that is wider succeeds more often and takes longer. --recursive begins \
+signal stops it; a beam that is wider succeeds more often and takes longer. The last row must fit \
+the first, and draws from few tiles when the first has two colors: that is why it has unless \
+--first-row all asks for less special packings. --recursive begins \
 with the packing over two colors and searches, one color after the other, the packing around the \
 one before; it runs on one thread.
 
@@ -71,8 +74,8 @@ JSON fields (--json): result (found, none or stopped; unknown if --method constr
 construction), method (search, construct, anneal, argument or beam), why (this method, when \
 tilepack chose it), width, height, nodes, seconds, file, \
 reason (why there is none), construction and source (of what was constructed), stopped_by \
-(signal, time-limit or node-limit), seed (of random choices); by beam search also beam_width \
-and restart (restarts, when stopped); without -o also the packing itself, with the fields of a solution file. Numbers of \
+(signal, time-limit or node-limit), seed (of random choices); by beam search also beam_width, \
+first_row and restart (restarts, when stopped); without -o also the packing itself, with the fields of a solution file. Numbers of \
 nodes are strings of digits.";
 
 /// Examples for `locate`.
