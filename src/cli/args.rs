@@ -6,10 +6,12 @@
 mod cube;
 mod export;
 mod parts;
+mod walk;
 
 pub use cube::{CubeArgs, CubeKindArg};
 pub use export::{ExportCnfArgs, ExportOut, ExportXccArgs};
 pub use parts::{ClusterCommand, JobArgs, MergeArgs, PartArgs, PlanArgs, SlurmArgs};
+pub use walk::WalkArgs;
 
 use super::ring::RingOrder;
 use super::{duration, help};
@@ -79,6 +81,9 @@ pub enum Command {
     /// Construct a packing of cubes on a torus in space
     #[command(after_help = help::CUBE)]
     Cube(CubeArgs),
+    /// Go from a packing to another one, by filling patches of it again
+    #[command(after_help = help::WALK)]
+    Walk(WalkArgs),
     /// Write a job file that runs the parts of a plan with a scheduler
     #[command(after_help = help::CLUSTER, subcommand, disable_help_subcommand = true)]
     Cluster(ClusterCommand),
@@ -235,6 +240,19 @@ pub struct FindArgs {
     /// The order in which colors or tiles are tried
     #[arg(long, value_enum, default_value_t = ValueOrder::Lexicographic)]
     pub values: ValueOrder,
+    /// Begin the search again and again, each time in another random order, after N nodes times
+    /// 1, 1, 2, 1, 1, 2, 4, ... (Luby) [without N: 100000]
+    #[arg(
+        long,
+        value_name = "N",
+        num_args = 0..=1,
+        default_missing_value = "100000",
+        value_parser = clap::value_parser!(u64).range(1..)
+    )]
+    pub restarts: Option<u64>,
+    /// With --method portfolio: a packing with an automorphism will do, too
+    #[arg(long)]
+    pub symmetric: bool,
     /// Write the packing to this file (JSON) instead of a grid to standard output
     #[arg(short, long, value_name = "FILE", help_heading = "Result")]
     pub output: Option<PathBuf>,
@@ -260,6 +278,9 @@ pub enum Method {
     /// --cover: coverings of corner tiles on the torus of --size, or the smallest that is found
     /// in the time. Never says there is none
     Anneal,
+    /// Search in order, searches in random order, beam search, in turns that become longer and
+    /// longer, until one of them finds a packing; says which
+    Portfolio,
 }
 
 /// Colors of the first row of a beam.
@@ -287,6 +308,8 @@ impl FirstRow {
 pub enum ValueOrder {
     /// Smallest first
     Lexicographic,
+    /// Largest first
+    Highest,
     /// In random order, by --seed
     Random,
 }

@@ -77,6 +77,8 @@ fn refuse(args: &FindArgs) -> anyhow::Result<()> {
         (problem.cover, "--cover", "it places every tile exactly once"),
         (search.order.is_some(), "--order", "it fills rows along the short side"),
         (args.values == ValueOrder::Random, "--values random", "it is random already"),
+        (args.values == ValueOrder::Highest, "--values highest", "it is random"),
+        (args.restarts.is_some(), "--restarts", "it has its own"),
         (search.plain, "--plain", "it removes no symmetry"),
         (search.checkpoint.is_some(), "--checkpoint", "there is nothing to go on from"),
         (search.run.status.is_some(), "--status", "nobody knows how far it is"),

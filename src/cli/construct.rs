@@ -72,6 +72,8 @@ pub(super) fn asks_for_search(args: &FindArgs) -> Option<&'static str> {
         (problem.cover, "--cover"),
         (search.order.is_some(), "--order"),
         (args.values == ValueOrder::Random, "--values random"),
+        (args.values == ValueOrder::Highest, "--values highest"),
+        (args.restarts.is_some(), "--restarts"),
         (search.plain, "--plain"),
         (search.checkpoint.is_some(), "--checkpoint"),
         (search.run.status.is_some(), "--status"),

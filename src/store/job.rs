@@ -34,6 +34,9 @@ struct Text {
     order: String,
     /// Of random values; else they are lexicographic.
     seed: Option<u64>,
+    /// Without a seed: the largest value first.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    highest_first: bool,
     symmetry_removed: bool,
     #[serde(skip_serializing_if = "Option::is_none")]
     part: Option<PartText>,
@@ -77,9 +80,10 @@ pub fn write_job(job: &Job) -> String {
         pins: task.has_pins().then(|| task.pins.labels().to_vec()),
         order: task.visiting_order().to_string(),
         seed: match values {
-            Values::Lexicographic => None,
+            Values::Lexicographic | Values::Highest => None,
             Values::Random(seed) => Some(*seed),
         },
+        highest_first: *values == Values::Highest,
         symmetry_removed: *reduce,
         part: part.map(|Part { number, of, depth }| PartText { number, of, depth }),
     };
@@ -162,7 +166,12 @@ fn job(said: &Text) -> Result<Job, String> {
         }
         Some(ref part) => return Err(format!("there is no part {} of {}", part.number, part.of)),
     };
-    let values = said.seed.map_or(Values::Lexicographic, Values::Random);
+    let values = match (said.seed, said.highest_first) {
+        (None, false) => Values::Lexicographic,
+        (None, true) => Values::Highest,
+        (Some(seed), false) => Values::Random(seed),
+        (Some(_), true) => return Err("values are in random order, or highest first".into()),
+    };
     Ok(Job { task, question, values, reduce: said.symmetry_removed, part })
 }
 

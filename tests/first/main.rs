@@ -1,6 +1,10 @@
-//! First packings by beam search, checked by reading every window of the colors.
+//! First packings by beam search, by searches begun again and by portfolios, checked by reading every
+//! window of the colors.
 
 #![allow(clippy::unwrap_used, clippy::panic)]
+
+mod portfolio;
+mod restarts;
 
 use std::collections::BTreeSet;
 use std::time::{Duration, Instant};
@@ -243,7 +247,7 @@ fn what_is_found_has_no_symmetry() {
         (4, "compact", "16x8", true),
     ] {
         let (set, shape): (TileSet, Shape) = (corner(colors, members), size.parse().unwrap());
-        let options = options(&set, 3);
+        let options = options(&set, 1);
         let options = if all { options.over_all_colors(&set) } else { options };
         assert_eq!(options.palette, if all { colors as usize } else { 2 });
         let outcome = beam::find(&set, shape, &options, &Limits::NONE).unwrap();
