@@ -270,8 +270,8 @@ A signal or --time-limit ends the walk early with exit code 75; the packing is w
 Examples:
   tilepack find --kind corner --colors 4 --method beam -o four.json
   tilepack walk four.json --steps 1000 -o other.json
-  tilepack walk four.json --patch 10x6 --steps 100 --seed 7 --json
-  tilepack find --kind wang --colors 3 | tilepack walk - --patch 5x5
+  tilepack walk four.json --patch 8x8 --steps 100 --seed 7 --json
+  tilepack find --kind wang --colors 3 | tilepack walk - --patch 4x4
 
 JSON fields (--json): result (walked or stopped), stopped_by, seed, patch, steps, moves (patches that \
 had another filling), skipped (patches left alone because their fillings took too long), fillings and \

@@ -43,6 +43,10 @@ pub struct Patch {
     /// The cells that become tiles at a place, one after the other, and where those of each begin.
     cells: Vec<u32>,
     begins: Vec<u32>,
+    /// For each of them the number of its tile when the label of its place has color 0, and what
+    /// one color more adds.
+    bases: Vec<u32>,
+    steps: Vec<u32>,
 }
 
 impl Patch {
@@ -91,6 +95,8 @@ impl Patch {
             colors: Vec::new(),
             cells: Vec::new(),
             begins: Vec::new(),
+            bases: Vec::new(),
+            steps: Vec::new(),
         };
         patch.lay(Cell(0));
         let free = patch.free.len();
@@ -173,6 +179,13 @@ impl Patch {
         let begins = (0..=self.free.len() as u32)
             .map(|place| completed.partition_point(|&(last, _)| last < place) as u32);
         self.begins = begins.collect();
+        let step = |&(place, cell): &(u32, u32)| {
+            let sides = self.sides[cell as usize].iter().zip(&self.weights);
+            let own = sides.filter(|&(&label, _)| label == self.free[place as usize]);
+            own.map(|(_, weight)| weight).sum()
+        };
+        self.steps = completed.iter().map(step).collect();
+        self.bases = vec![0; completed.len()];
         self.cells = completed.into_iter().map(|(_, cell)| cell).collect();
         for &cell in &cells {
             for &label in &self.sides[cell][..self.per_tile] {
@@ -199,17 +212,17 @@ impl Patch {
         let mut next = vec![0; end];
         let mut filling = vec![0; end];
         let (mut at, mut nodes) = (0, 0);
+        self.enter(labels, at);
         loop {
             if next[at] == self.colors[at] {
                 let Some(before) = at.checked_sub(1) else { return (nodes, true) };
                 at = before;
-                self.put_back(labels, at);
+                self.put_back(at, filling[at]);
                 continue;
             }
             let color = next[at];
             next[at] += 1;
-            labels[self.free[at] as usize] = color;
-            if !self.take(labels, at) {
+            if !self.take(at, color) {
                 continue;
             }
             if nodes == most {
@@ -218,40 +231,50 @@ impl Patch {
             nodes += 1;
             filling[at] = color;
             if at + 1 < end {
+                labels[self.free[at] as usize] = color;
                 at += 1;
                 next[at] = 0;
+                self.enter(labels, at);
                 continue;
             }
             if each(&filling).is_break() {
                 return (nodes, false);
             }
-            self.put_back(labels, at);
+            self.put_back(at, color);
         }
     }
 
-    /// Takes the tiles completed at a place, if all of them are there.
+    /// Prepares the tiles that a place completes: all but its own label is known.
     #[inline]
-    fn take(&mut self, labels: &[u8], at: usize) -> bool {
-        let (begin, end) = (self.begins[at] as usize, self.begins[at + 1] as usize);
-        for i in begin..end {
-            let tile = self.tile(labels, self.cells[i]);
-            if self.left[tile] == 0 {
-                for j in begin..i {
-                    let tile = self.tile(labels, self.cells[j]);
-                    self.left[tile] += 1;
-                }
+    fn enter(&mut self, labels: &mut [u8], at: usize) {
+        labels[self.free[at] as usize] = 0;
+        for i in self.begins[at] as usize..self.begins[at + 1] as usize {
+            self.bases[i] = self.tile(labels, self.cells[i]) as u32;
+        }
+    }
+
+    /// Takes the tiles that a color at a place completes, if all of them are there.
+    #[inline]
+    fn take(&mut self, at: usize, color: u8) -> bool {
+        let Self { begins, bases, steps, left, .. } = self;
+        let cells = begins[at] as usize..begins[at + 1] as usize;
+        let tile = |i: usize| (bases[i] + steps[i] * u32::from(color)) as usize;
+        for i in cells.clone() {
+            if left[tile(i)] == 0 {
+                (cells.start..i).for_each(|i| left[tile(i)] += 1);
                 return false;
             }
-            self.left[tile] -= 1;
+            left[tile(i)] -= 1;
         }
         true
     }
 
-    /// Takes back what was taken at a place.
-    fn put_back(&mut self, labels: &[u8], at: usize) {
-        for i in self.begins[at] as usize..self.begins[at + 1] as usize {
-            let tile = self.tile(labels, self.cells[i]);
-            self.left[tile] += 1;
+    /// Takes back what was taken with a color at a place.
+    #[inline]
+    fn put_back(&mut self, at: usize, color: u8) {
+        let Self { begins, bases, steps, left, .. } = self;
+        for i in begins[at] as usize..begins[at + 1] as usize {
+            left[(bases[i] + steps[i] * u32::from(color)) as usize] += 1;
         }
     }
 }

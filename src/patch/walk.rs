@@ -9,7 +9,7 @@ use rand_pcg::Pcg64;
 use std::ops::ControlFlow;
 
 /// Nodes spent on one patch; then it is left as it is.
-const MOST_NODES: u64 = 1 << 20;
+const MOST_NODES: u64 = 1 << 16;
 
 /// A walk under way.
 #[derive(Debug, Clone)]

@@ -6,9 +6,9 @@ use crate::{CORNER_2, Place, names};
 fn another_packing_with_the_same_tiles() {
     let place = Place::new();
     place.run("find --kind corner --colors 3 --method beam --quiet -o p.json").exits(0);
-    let walk = "walk p.json --steps 200 --patch 8x8 --seed 3";
+    let walk = "walk p.json --steps 200 --patch 6x6 --seed 3";
     let walked = place.run(walk).exits(0);
-    assert!(walked.stdout.starts_with("# walk by patches of 8x8 (200 steps, seed 3)\n"));
+    assert!(walked.stdout.starts_with("# walk by patches of 6x6 (200 steps, seed 3)\n"));
     for part in ["200 patches in ", " had another filling (", " of 81 cells have another tile"] {
         assert!(walked.stderr.contains(part), "{walked:#?}");
     }

@@ -154,11 +154,11 @@ fn fillings_are_those_found_by_trying() {
 fn fillings_are_those_found_by_search() {
     let mut several = 0;
     for (kind, colors, members, size, patch_size) in [
-        ("corner", "3", "complete", "", (7, 7)),
-        ("corner", "3", "complete", "", (8, 6)),
-        ("corner", "3", "compact", "9x6", (6, 6)),
-        ("wang", "3", "complete", "", (5, 5)),
-        ("wang", "2,3", "complete", "", (6, 4)),
+        ("corner", "3", "complete", "", (6, 6)),
+        ("corner", "3", "complete", "", (7, 5)),
+        ("corner", "3", "compact", "9x6", (5, 5)),
+        ("wang", "3", "complete", "", (4, 4)),
+        ("wang", "2,3", "complete", "", (5, 4)),
     ] {
         let task = task(kind, colors, members, size);
         let labels = packing::find(&task, &Settings::PLAIN).unwrap().value.unwrap();
@@ -222,18 +222,12 @@ fn the_walk_favors_nobody() {
 #[test]
 fn a_walk_stays_among_the_packings() {
     for (kind, colors, members, size, patch) in [
-        ("corner", "3", "complete", "", (8, 8)),
-        ("corner", "3", "compact", "9x6", (6, 6)),
-        ("wang", "3", "complete", "", (6, 6)),
-        ("corner", "4", "pruned:0-1", "14x14", (9, 9)),
+        ("corner", "3", "complete", "", (6, 6)),
+        ("corner", "3", "compact", "9x6", (5, 5)),
+        ("wang", "3", "complete", "", (4, 4)),
     ] {
         let task = task(kind, colors, members, size);
-        if task.check().is_err() {
-            continue;
-        }
-        let limits = tilepack::search::Limits { nodes: 50_000_000, stop: &() };
-        let settings = Settings { limits, ..Settings::PLAIN };
-        let Some(start) = packing::find(&task, &settings).unwrap().value else { continue };
+        let start = packing::find(&task, &Settings::PLAIN).unwrap().value.unwrap();
         let mut walk = Walk::new(&task.set, task.lattice(), start.clone(), patch, 3).unwrap();
         walk.run(300, &());
         let walked = walk.walked();

@@ -19,7 +19,7 @@ pub struct WalkArgs {
     #[arg(long, value_name = "N", default_value_t = 10_000, help_heading = "Walk")]
     pub steps: u64,
     /// Columns and rows of cells in a patch
-    #[arg(long, value_name = "WxH", default_value = "8x8", help_heading = "Walk")]
+    #[arg(long, value_name = "WxH", default_value = "6x6", help_heading = "Walk")]
     pub patch: String,
     /// Seed of random choices
     #[arg(long, value_name = "N", default_value_t = 0, help_heading = "Walk")]
