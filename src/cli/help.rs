@@ -273,7 +273,7 @@ Examples:
   tilepack walk four.json --patch 8x8 --steps 100 --seed 7 --json
   tilepack find --kind wang --colors 3 | tilepack walk - --patch 4x4
 
-JSON fields (--json): result (walked or stopped), stopped_by, seed, patch, steps, moves (patches that \
+JSON fields (--json): result (walked or stopped), stopped_by, width, height, seed, patch, steps, moves (patches that \
 had another filling), skipped (patches left alone because their fillings took too long), fillings and \
 nodes (of all patches; these numbers are strings of digits), changed (cells with another tile than at \
 the start), drift_rows and drift_columns (before and after), rows_before and rows_after (for every row \

@@ -138,6 +138,8 @@ impl Done<'_> {
         let mut fields = vec![
             ("result", json!(if self.stopped { "stopped" } else { "walked" })),
             ("stopped_by", json!(self.stopped.then(|| self.clock.stopped_by()))),
+            ("width", json!(self.end.shape.width())),
+            ("height", json!(self.end.shape.height())),
             ("seed", json!(self.args.seed)),
             ("patch", json!(self.patch.to_string())),
             ("steps", json!(steps.to_string())),

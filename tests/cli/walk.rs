@@ -51,6 +51,7 @@ fn json_fields() {
             "drift_rows",
             "file",
             "fillings",
+            "height",
             "moves",
             "nodes",
             "patch",
@@ -61,7 +62,8 @@ fn json_fields() {
             "seed",
             "skipped",
             "steps",
-            "stopped_by"
+            "stopped_by",
+            "width"
         ]
     );
     assert_eq!((&object["result"], &object["steps"]), (&"walked".into(), &"20".into()));

@@ -112,8 +112,8 @@ impl FirstRow {
 pub enum ValueOrder {
     /// Smallest first
     Lexicographic,
-    /// Largest first
-    Highest,
     /// In random order, by --seed
     Random,
+    /// Largest first
+    Highest,
 }
