@@ -18,12 +18,14 @@
 //! 9. [`export`]: the same problems for SAT solvers and programs for exact cover.
 //! 10. [`beam`]: first packings of corner tiles by beam search.
 //! 11. [`anneal`]: packings by annealing under a symmetry.
-//! 12. [`cover`]: coverings of pruned sets, and how small they can be.
-//! 13. [`verify`]: packings checked from the definition, by code that shares nothing with the
+//! 12. [`portfolio`]: several ways to a first packing, in turns.
+//! 13. [`patch`]: a walk from packing to packing.
+//! 14. [`cover`]: coverings of pruned sets, and how small they can be.
+//! 15. [`verify`]: packings checked from the definition, by code that shares nothing with the
 //!     search.
-//! 14. [`store`]: files, whole or not at all.
-//! 15. [`cluster`]: one search in parts, on many machines.
-//! 16. [`cli`]: the command line.
+//! 16. [`store`]: files, whole or not at all.
+//! 17. [`cluster`]: one search in parts, on many machines.
+//! 18. [`cli`]: the command line.
 //!
 //! Every layer uses only those before it (the search none), so each can be read, and trusted,
 //! without the later ones.
@@ -61,6 +63,8 @@ pub mod count;
 pub mod cover;
 pub mod export;
 pub mod packing;
+pub mod patch;
+pub mod portfolio;
 pub mod search;
 pub mod store;
 pub mod symmetry;

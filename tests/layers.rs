@@ -19,9 +19,12 @@ const LAYERS: &[(&str, &[&str])] = &[
     ("symmetry", &["tiles", "torus"]),
     ("packing", &["tiles", "torus", "symmetry", "search"]),
     ("compact", &["tiles", "torus"]),
-    // Of the search only what says when to stop.
+    // Of the search only races, and what says when to stop.
     ("beam", &["tiles", "torus", "search"]),
     ("anneal", &["tiles", "torus", "search"]),
+    ("portfolio", &["tiles", "torus", "search", "symmetry", "packing", "beam"]),
+    // Of the search only what says when to stop.
+    ("patch", &["tiles", "torus", "search"]),
     ("cover", &["tiles", "torus", "search", "packing", "beam", "anneal"]),
     // Of nothing it checks: neither search nor packing nor symmetry.
     ("verify", &["tiles", "torus"]),
@@ -40,6 +43,8 @@ const LAYERS: &[(&str, &[&str])] = &[
             "packing",
             "beam",
             "anneal",
+            "portfolio",
+            "patch",
             "cover",
             "export",
             "verify",
@@ -59,8 +64,8 @@ const CRATES: &[(&str, &[&str])] = &[
     ("serde_json", &["store/", "cli/"]),
     ("rayon", &["packing/", "symmetry/", "cli/"]),
     ("crossbeam", &["search/", "store/keeping.rs"]),
-    ("rand", &["search/estimate/", "anneal/", "beam/", "compact/", "construct/"]),
-    ("rand_pcg", &["search/estimate/", "anneal/", "beam/", "compact/", "construct/"]),
+    ("rand", &["search/estimate/", "anneal/", "beam/", "patch/", "compact/", "construct/"]),
+    ("rand_pcg", &["search/estimate/", "anneal/", "beam/", "patch/", "compact/", "construct/"]),
 ];
 
 /// What no part of the crate may ask: the clock on the wall can be set back. Time is measured

@@ -18,6 +18,7 @@ const PAGES: &[(&str, &str, usize)] = &[
     ("docs/coverings.md", include_str!("../docs/coverings.md"), 3),
     ("docs/exports.md", include_str!("../docs/exports.md"), 6),
     ("docs/packings.md", include_str!("../docs/packings.md"), 4),
+    ("docs/first-packings.md", include_str!("../docs/first-packings.md"), 8),
 ];
 
 /// Programs of others that a page may show, besides our own.

@@ -9,6 +9,7 @@ use super::excess::Excess;
 use super::model::{At, Model};
 use super::random::{Gumbel, Random};
 use super::rule::Rule;
+use crate::search::Attempt;
 
 /// Tries to draw a first row before another palette is tried.
 const ROWS: usize = 200;
@@ -25,19 +26,6 @@ pub(super) struct Beam<'a, R> {
     pub(super) seed: u64,
 }
 
-/// How a descent ended.
-#[derive(Debug)]
-pub(super) struct Descent {
-    /// The colors, row by row, when it reached the end.
-    pub(super) found: Option<Vec<u8>>,
-    /// Children looked at that broke no rule.
-    pub(super) nodes: u64,
-    /// Cells filled.
-    pub(super) depth: usize,
-    /// Whether it was told to stop.
-    pub(super) cut: bool,
-}
-
 /// The states of one cell and their scores.
 struct Level {
     states: Vec<u16>,
@@ -46,10 +34,15 @@ struct Level {
 
 impl<R: Rule> Beam<'_, R> {
     /// Descends for the time number `number`; `stop` is told the nodes so far after every row.
-    pub(super) fn descend(&self, number: u64, mut stop: impl FnMut(u64) -> bool) -> Descent {
+    /// The colors are found row by row; nodes are children looked at that broke no rule.
+    pub(super) fn descend(
+        &self,
+        number: u64,
+        mut stop: impl FnMut(u64) -> bool,
+    ) -> Attempt<Vec<u8>> {
         let (model, words) = (self.model, self.model.words());
         let mut random = Random::new(self.seed, number);
-        let mut descent = Descent { found: None, nodes: 0, depth: 0, cut: false };
+        let mut descent = Attempt { found: None, nodes: 0, depth: 0, cut: false };
         let mut start = model.start().to_vec();
         for tile in self.excess.choose(&mut random) {
             model.give(&mut start, tile);

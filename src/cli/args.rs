@@ -6,12 +6,16 @@
 mod board;
 mod cube;
 mod export;
+mod find;
 mod parts;
+mod walk;
 
 pub use board::BoardArgs;
 pub use cube::{CubeArgs, CubeKindArg};
 pub use export::{ExportCnfArgs, ExportOut, ExportXccArgs};
+pub use find::{FindArgs, FirstRow, Method, ValueOrder};
 pub use parts::{ClusterCommand, JobArgs, MergeArgs, PartArgs, PlanArgs, SlurmArgs};
+pub use walk::WalkArgs;
 
 use super::ring::RingOrder;
 use super::{duration, help};
@@ -82,6 +86,9 @@ pub enum Command {
     /// Construct a packing of cubes on a torus in space
     #[command(after_help = help::CUBE)]
     Cube(CubeArgs),
+    /// Go from a packing to another one, by filling patches of it again
+    #[command(after_help = help::WALK)]
+    Walk(WalkArgs),
     /// Write a job file that runs the parts of a plan with a scheduler
     #[command(after_help = help::CLUSTER, subcommand, disable_help_subcommand = true)]
     Cluster(ClusterCommand),
@@ -94,11 +101,6 @@ fn kinds() -> impl TypedValueParser<Value = Kind> {
 
 fn orders() -> impl TypedValueParser<Value = Order> {
     PossibleValuesParser::new(Order::ALL.map(Order::name)).try_map(|text| text.parse::<Order>())
-}
-
-fn aspect(text: &str) -> Result<f64, String> {
-    let ratio: f64 = text.parse().map_err(|_| "expected a number such as 1.5".to_owned())?;
-    if ratio >= 1.0 { Ok(ratio) } else { Err("expected a number of at least 1".to_owned()) }
 }
 
 /// Which tiles.
@@ -210,71 +212,6 @@ pub struct RunArgs {
     /// No progress and no remarks on standard error, only errors, warnings and early stops
     #[arg(long)]
     pub quiet: bool,
-}
-
-/// One packing.
-#[derive(Debug, Clone, Args)]
-pub struct FindArgs {
-    /// The packings in question.
-    #[command(flatten)]
-    pub problem: ProblemArgs,
-    /// How to search.
-    #[command(flatten)]
-    pub search: SearchArgs,
-    /// How to find it
-    #[arg(long, value_enum, default_value_t = Method::Auto)]
-    pub method: Method,
-    /// Partial packings that beam search keeps at every cell [default: 1000 for complete sets, else 3000]
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=200_000))]
-    pub beam_width: Option<u32>,
-    /// The rings that dominoes and Wang tiles are constructed from
-    #[arg(long, value_enum, default_value_t = RingOrder::Least)]
-    pub ring: RingOrder,
-    /// Corner tiles: a packing that holds packings over fewer and fewer colors in its
-    /// south-west, built up from two colors by beam search
-    #[arg(long)]
-    pub recursive: bool,
-    /// With --cover --method anneal and no --size: the longest side is at most R times the
-    /// shortest
-    #[arg(long, value_name = "R", value_parser = aspect)]
-    pub aspect: Option<f64>,
-    /// The order in which colors or tiles are tried
-    #[arg(long, value_enum, default_value_t = ValueOrder::Lexicographic)]
-    pub values: ValueOrder,
-    /// Write the packing to this file (JSON) instead of a grid to standard output
-    #[arg(short, long, value_name = "FILE", help_heading = "Result")]
-    pub output: Option<PathBuf>,
-    /// One JSON object on standard output
-    #[arg(long, help_heading = "Result")]
-    pub json: bool,
-}
-
-/// Ways to find a packing.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-pub enum Method {
-    /// A construction where one is known, annealing or beam search where they are quick, else
-    /// search; search also when an option asks for one. Says which, and why
-    Auto,
-    /// A packing known in closed form, or none; --seed other than 0 chooses a random member of
-    /// its family
-    Construct,
-    /// Exhaustive search
-    Search,
-    /// Beam search: unrestricted packings of corner tiles in seconds; never says there is none
-    Beam,
-    /// Annealing: compact corner sets on tori with a side that is a multiple of the colors. With
-    /// --cover: coverings of corner tiles on the torus of --size, or the smallest that is found
-    /// in the time. Never says there is none
-    Anneal,
-}
-
-/// Orders of alternatives.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-pub enum ValueOrder {
-    /// Smallest first
-    Lexicographic,
-    /// In random order, by --seed
-    Random,
 }
 
 /// Tiles to look up.

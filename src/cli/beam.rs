@@ -4,7 +4,7 @@
 //! automorphisms and no coverings. It never says that there is no packing, so without a limit it
 //! goes on until it finds one or is told to stop.
 
-use super::args::{FindArgs, Method, ValueOrder};
+use super::args::{FindArgs, FirstRow, Method, ValueOrder};
 use super::exit::Exit;
 use super::found::{Found, Heuristic};
 use super::session::{Ended, Session};
@@ -44,9 +44,16 @@ pub fn run(args: &FindArgs, why: Option<String>) -> anyhow::Result<Exit> {
         false => Options::for_set(&task.set),
     };
     let mut options = Options { seed: args.search.seed, ..best };
+    if args.first_row == Some(FirstRow::All) {
+        options = options.over_all_colors(&task.set);
+    }
     options.width = args.beam_width.map_or(options.width, |width| width as usize);
     let (seed, width) = (json!(options.seed), json!(options.width));
-    let fields = vec![("seed", seed), ("beam_width", width), ("why", json!(why))];
+    let first_row = json!(args.first_row.unwrap_or(FirstRow::Two).name());
+    let mut fields = vec![("seed", seed), ("beam_width", width), ("why", json!(why))];
+    if !args.recursive {
+        fields.push(("first_row", first_row));
+    }
     let heuristic = Heuristic { args, shape: Some(task.shape), fields };
     if let Some(reason) = task.impossible() {
         return heuristic.none(&reason);
@@ -71,6 +78,8 @@ fn refuse(args: &FindArgs) -> anyhow::Result<()> {
         (problem.cover, "--cover", "it places every tile exactly once"),
         (search.order.is_some(), "--order", "it fills rows along the short side"),
         (args.values == ValueOrder::Random, "--values random", "it is random already"),
+        (args.values == ValueOrder::Highest, "--values highest", "it is random"),
+        (args.restarts.is_some(), "--restarts", "it has its own"),
         (search.plain, "--plain", "it removes no symmetry"),
         (search.checkpoint.is_some(), "--checkpoint", "there is nothing to go on from"),
         (search.run.status.is_some(), "--status", "nobody knows how far it is"),
@@ -86,7 +95,7 @@ fn refuse(args: &FindArgs) -> anyhow::Result<()> {
 ///
 /// # Errors
 /// When it is given.
-pub fn refuse_width(args: &FindArgs) -> anyhow::Result<()> {
+pub fn refuse_elsewhere(args: &FindArgs) -> anyhow::Result<()> {
     if args.recursive && !matches!(args.method, Method::Auto | Method::Beam) {
         bail!(
             "--recursive needs --method beam; of dominoes and Wang tiles --ring wei is recursive"
@@ -94,6 +103,12 @@ pub fn refuse_width(args: &FindArgs) -> anyhow::Result<()> {
     }
     if args.beam_width.is_some() && args.method != Method::Beam && !args.recursive {
         bail!("--beam-width needs --method beam");
+    }
+    if args.first_row.is_some() && args.recursive {
+        bail!("--first-row and --recursive do not go together: the first row is given");
+    }
+    if args.first_row.is_some() && args.method != Method::Beam {
+        bail!("--first-row needs --method beam");
     }
     Ok(())
 }
@@ -126,7 +141,19 @@ fn give(
         }
         how += " around a packing over one color less, and so on";
     }
-    how += &format!(" (seed {seed}, width {width}, restart {})", outcome.restart);
+    let all = match heuristic.args.first_row {
+        Some(FirstRow::All) => ", all colors in the first row",
+        _ => "",
+    };
+    how += &format!(" (seed {seed}, width {width}{all}, restart {})", outcome.restart);
+    let first_row = heuristic.args.first_row.map(FirstRow::name);
+    let mut provenance = vec![
+        ("nodes", json!(nodes.to_string())),
+        ("seed", json!(seed)),
+        ("beam_width", json!(width)),
+        ("restart", json!(outcome.restart)),
+    ];
+    provenance.extend(first_row.map(|name| ("first_row", json!(name))));
     let found = Found {
         packing: &packing,
         method: "beam",
@@ -134,12 +161,7 @@ fn give(
         remark: &format!("{nodes} nodes"),
         nodes,
         fields: vec![("restart", json!(outcome.restart))],
-        provenance: vec![
-            ("nodes", json!(nodes.to_string())),
-            ("seed", json!(seed)),
-            ("beam_width", json!(width)),
-            ("restart", json!(outcome.restart)),
-        ],
+        provenance,
     };
     heuristic.found(session, found, ended)
 }

@@ -74,6 +74,8 @@ pub(super) fn asks_for_search(args: &FindArgs) -> Option<&'static str> {
         (problem.cover, "--cover"),
         (search.order.is_some(), "--order"),
         (args.values == ValueOrder::Random, "--values random"),
+        (args.values == ValueOrder::Highest, "--values highest"),
+        (args.restarts.is_some(), "--restarts"),
         (search.plain, "--plain"),
         (search.prunings != Prunings::default(), "--prunings"),
         (search.checkpoint.is_some(), "--checkpoint"),

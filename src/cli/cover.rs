@@ -46,6 +46,8 @@ fn refuse(args: &FindArgs) -> anyhow::Result<()> {
         (problem.pin.is_some(), "--pin", "it chooses every cell itself"),
         (search.order.is_some(), "--order", "it fills cells in random order"),
         (args.values == ValueOrder::Random, "--values random", "it is random already"),
+        (args.values == ValueOrder::Highest, "--values highest", "it is random"),
+        (args.restarts.is_some(), "--restarts", "it has its own"),
         (search.plain, "--plain", "it removes no symmetry"),
         (search.checkpoint.is_some(), "--checkpoint", "there is nothing to go on from"),
         (search.run.status.is_some(), "--status", "nobody knows how far it is"),

@@ -7,7 +7,7 @@ use super::request::Request;
 use super::ring::RingOrder;
 use super::saving::Save;
 use super::session::{Done, Session};
-use super::{anneal, beam, construct, cover, describe, output, problem, ring};
+use super::{anneal, beam, construct, cover, describe, output, portfolio, problem, restarts, ring};
 use crate::packing::{Job, Question};
 use crate::search::Values;
 use crate::store::{Layout, check_writable, write_file, write_grid, write_solution};
@@ -23,7 +23,8 @@ use std::time::Instant;
 /// # Errors
 /// Bad input, or a file that cannot be written.
 pub fn run(args: &FindArgs) -> anyhow::Result<Exit> {
-    beam::refuse_width(args)?;
+    beam::refuse_elsewhere(args)?;
+    portfolio::refuse_elsewhere(args)?;
     ring::refuse(args)?;
     if args.recursive {
         return beam::run(args, None);
@@ -38,6 +39,7 @@ pub fn run(args: &FindArgs) -> anyhow::Result<Exit> {
         Method::Anneal => anneal::run(args, None),
         Method::Construct => construct::run(args),
         Method::Search => search(args, None),
+        Method::Portfolio => portfolio::run(args),
         Method::Auto => {
             let begin = Instant::now();
             let (way, why) = choose::choose(args)?;
@@ -72,9 +74,13 @@ fn tell(args: &FindArgs, method: &str, why: &str) {
 
 /// Exhaustive search; `why` it was chosen, if it was not asked for.
 fn search(args: &FindArgs, why: Option<String>) -> anyhow::Result<Exit> {
+    if let Some(unit) = args.restarts {
+        return restarts::run(args, unit, why);
+    }
     let task = problem::search_task(&args.problem, &args.search)?;
     let values = match args.values {
         ValueOrder::Lexicographic => Values::Lexicographic,
+        ValueOrder::Highest => Values::Highest,
         ValueOrder::Random => Values::Random(args.search.seed),
     };
     let job = Job { values, reduce: !args.search.plain, ..Job::new(task, Question::First) };
@@ -170,6 +176,7 @@ impl Find<'_> {
         let order = self.job.task.visiting_order();
         let values = match self.job.values {
             Values::Lexicographic => "lexicographic".to_owned(),
+            Values::Highest => "highest first".to_owned(),
             Values::Random(seed) => format!("random with seed {seed}"),
         };
         // A search that a limit ends may have met another packing before the first.

@@ -61,6 +61,28 @@ impl Heuristic<'_> {
         Ok(Exit::No)
     }
 
+    /// The answer is no, by a complete search.
+    ///
+    /// # Errors
+    /// A result that cannot be written.
+    pub fn none_by_search(
+        &self,
+        session: &Session<'_>,
+        reason: &str,
+        nodes: u64,
+        ended: &Ended,
+    ) -> anyhow::Result<Exit> {
+        if self.args.json {
+            let mut fields = self.common("none", "search", self.shape, nodes, ended);
+            fields.push(("reason", json!(reason)));
+            output::object(&fields)?;
+        } else {
+            output::line(&format!("none: {reason}"))?;
+        }
+        session.remark(&format!("complete search: {nodes} nodes in {}", ended.time()));
+        Ok(Exit::No)
+    }
+
     /// Nothing was found before something asked to stop; `more` is for the JSON object.
     ///
     /// # Errors

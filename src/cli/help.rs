@@ -54,11 +54,27 @@ Examples:
   tilepack find --kind wang --colors 4 --ring wei -o recursive.json
   tilepack find --kind corner --colors 4 --recursive --seed 24 -o recursive.json
   tilepack find --kind corner --colors 4 --method beam --seed 3
+  tilepack find --kind corner --colors 3 --method beam --first-row all
+  tilepack find --kind wang --colors 3 --method search --restarts 50000 --seed 2
+  tilepack find --kind corner --colors 4 --method portfolio --symmetric
   tilepack find --kind corner --colors 6 --set pruned:0-1,2-3,4-5 --size 77x6 --method beam
   tilepack find --kind corner --colors 5 --set pruned:0-1 --cover --method anneal --aspect 2
 
+With --restarts a search is begun again and again in new random orders, after as many nodes as the \
+Luby sequence says; where most orders are bad and some are good this finds the good ones. It is still \
+a complete search: at last a run is long enough to say that there is no packing. --values highest \
+tries the largest color (or tile number) first: with colors that come into use in order, new ones \
+early.
+
+--method portfolio gives several ways their turns, in rounds of twice as many nodes each: search in \
+order and in random order, beam search (corner tiles), and with --symmetric search among packings \
+with the automorphism that --automorphism auto would take. The first turn, by number, that ends with \
+an answer gives it; which way that was, and a symmetry that the packing has, are told.
+
 Beam search goes on, with new random choices by --seed, until it finds a packing or a limit or \
-signal stops it; a beam that is wider succeeds more often and takes longer. --recursive begins \
+signal stops it; a beam that is wider succeeds more often and takes longer. The last row must fit \
+the first, and draws from few tiles when the first has two colors: that is why it has unless \
+--first-row all asks for less special packings. --recursive begins \
 with the packing over two colors and searches, one color after the other, the packing around the \
 one before; it runs on one thread.
 
@@ -68,11 +84,14 @@ symmetries and without: on the torus of --size, or else the smallest that is fou
 bound_reason and how.
 
 JSON fields (--json): result (found, none or stopped; unknown if --method construct knows no \
-construction), method (search, construct, anneal, argument or beam), why (this method, when \
+construction), method (search, construct, anneal, argument, beam or \
+portfolio), why (this method, when \
 tilepack chose it), width, height, nodes, seconds, file, \
 reason (why there is none), construction and source (of what was constructed), stopped_by \
-(signal, time-limit or node-limit), seed (of random choices); by beam search also beam_width \
-and restart (restarts, when stopped); without -o also the packing itself, with the fields of a solution file. Numbers of \
+(signal, time-limit or node-limit), seed (of random choices); with --restarts also unit (nodes of the \
+shortest runs), run (runs, when stopped); by a portfolio also way, round, turns, automorphism (that \
+the packing has); by beam search also beam_width, \
+first_row and restart (restarts, when stopped); without -o also the packing itself, with the fields of a solution file. Numbers of \
 nodes are strings of digits.";
 
 /// Examples for `locate`.
@@ -237,6 +256,35 @@ Examples:
 
 JSON fields (--json): result (written), format (xcc or xcc with multiplicities), items, \
 secondary_items, options, file.";
+
+/// Examples for `walk`.
+pub const WALK: &str = "\
+Takes the tiles of a random patch out of a packing (or covering, of any set and kind), finds all \
+ways to put the same tiles back, and goes on to another one at random, again and again. Whatever \
+comes out is a packing with the same tiles, checked from the definition.
+
+Each packing that differs in the patch only is reached with the same probability, there and back. So \
+the walk favors none of the packings that it connects: in the long run it visits them equally often. \
+Whether it connects all packings of a set, and how long the long run is, is not known. Larger patches \
+more often have another filling, and take longer.
+
+Drift says how unequally the rows (columns) use the colors: 1 is as at random, less is more even; \
+beam search uses some colors up early.
+
+A signal or --time-limit ends the walk early with exit code 75; the packing is written all the same.
+
+Examples:
+  tilepack find --kind corner --colors 4 --method beam -o four.json
+  tilepack walk four.json --steps 1000 -o other.json
+  tilepack walk four.json --patch 8x8 --steps 100 --seed 7 --json
+  tilepack find --kind wang --colors 3 | tilepack walk - --patch 4x4
+
+JSON fields (--json): result (walked or stopped), stopped_by, width, height, seed, patch, steps, moves (patches that \
+had another filling), skipped (patches left alone because their fillings took too long), fillings and \
+nodes (of all patches; these numbers are strings of digits), changed (cells with another tile than at \
+the start), drift_rows and drift_columns (before and after), rows_before and rows_after (for every row \
+how often it shows each color; of Wang tiles first the colors of north edges, then of west edges), \
+seconds, file; without -o also the packing itself.";
 
 /// Examples for `cube`.
 pub const CUBE: &str = "\

@@ -2,10 +2,10 @@
 //!
 //! * [`args`] is the command line as typed, [`help`] its longer texts; [`set`] and [`problem`]
 //!   turn it into what the library wants and refuse what makes no sense.
-//! * One file a command: [`find`] (by [`construct`], [`anneal`], [`beam`] or [`cover`], whichever it
-//!   is told to or [`choose`]s), [`locate`], [`count`] (also by [`formula`]), [`list`],
+//! * One file a command: [`find`] (by [`construct`], [`anneal`], [`beam`], [`cover`], [`restarts`] or
+//!   [`portfolio`], whichever it is told to or [`choose`]s), [`locate`], [`count`] (also by [`formula`]), [`list`],
 //!   [`estimate`], [`export`] (for other solvers), [`resume`], [`plan`], [`part`] (the command `run`), [`merge`], [`cluster`] (job
-//!   files), [`verify`] (with [`recursive`]), [`show`], [`sets`], [`cube`]; [`ring`] is the option
+//!   files), [`verify`] (with [`recursive`]), [`show`], [`sets`], [`cube`], [`walk`]; [`ring`] is the option
 //!   `--ring` of two of them.
 //! * [`session`] runs a search with limits, [`signal`]s, [`progress`], [`eta`] (the time that is
 //!   left) and [`status`]; [`saving`] keeps it in a checkpoint, along with the [`request`] that
@@ -42,10 +42,12 @@ pub mod merge;
 pub mod output;
 pub mod part;
 pub mod plan;
+pub mod portfolio;
 pub mod problem;
 pub mod progress;
 pub mod recursive;
 pub mod request;
+pub mod restarts;
 pub mod resume;
 pub mod ring;
 pub mod saving;
@@ -57,6 +59,7 @@ pub mod signal;
 pub mod source;
 pub mod status;
 pub mod verify;
+pub mod walk;
 
 use args::{Cli, Command};
 use clap::Parser;
@@ -89,6 +92,7 @@ pub fn run() -> Exit {
         Command::Show(args) => show::run(args),
         Command::Sets(args) => sets::run(args),
         Command::Cube(args) => cube::run(args),
+        Command::Walk(args) => walk::run(args),
         Command::Cluster(command) => cluster::run(command),
     };
     exit.unwrap_or_else(|error| {

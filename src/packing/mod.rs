@@ -13,7 +13,7 @@
 //!
 //! [`Task`] says which packings, [`Job`] what is asked about them; [`dispatch`] makes it a
 //! problem, [`standing`] runs it, also from where an earlier run stopped, [`solve`] gives the
-//! answer, and [`estimate`] says how large it is ([`last_lines`] helps it).
+//! answer ([`restarts`] that of a search begun again and again), and [`estimate`] says how large it is ([`last_lines`] helps it).
 
 pub mod board;
 mod board_caps;
@@ -32,6 +32,7 @@ pub mod last_lines;
 pub mod prunings;
 pub mod quotient;
 pub mod reduction;
+pub mod restarts;
 pub mod ring;
 pub mod rows;
 pub mod rule;
@@ -49,6 +50,7 @@ mod watched;
 pub use frontier::{Cut, frontier};
 pub use job::{Job, Question};
 pub use prunings::Prunings;
+pub use restarts::{Restarted, find_restarting};
 pub use solve::{Answer, Counted, Settings, count, find, list};
 pub use standing::{Keeper, Standing, run};
 pub use task::{MAX_SEARCH_COLORS, Task, TaskError};

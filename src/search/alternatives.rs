@@ -16,6 +16,8 @@ pub trait Alternatives: Copy + Send + PartialEq + std::fmt::Debug + 'static {
     fn count(&self) -> u32;
     /// The smallest number; the set must not be empty.
     fn first(&self) -> u32;
+    /// The largest number; the set must not be empty.
+    fn last(&self) -> u32;
     /// Adds a number.
     fn insert(&mut self, number: u32);
     /// Removes a number.
@@ -82,6 +84,11 @@ impl<const N: usize> Alternatives for Words<N> {
             (word, at) = (next, i);
         }
         64 * at as u32 + word.trailing_zeros()
+    }
+
+    fn last(&self) -> u32 {
+        let at = self.0.iter().rposition(|&word| word != 0).unwrap_or(0);
+        64 * at as u32 + 63 - self.0[at].leading_zeros().min(63)
     }
 
     #[inline(always)]

@@ -11,6 +11,8 @@ use super::Alternatives;
 pub enum Values {
     /// Smallest first.
     Lexicographic,
+    /// Largest first: where colors may come into use in order only, this uses new ones early.
+    Highest,
     /// A random order of its own at every level, given by a seed.
     Random(u64),
 }
@@ -21,6 +23,7 @@ impl Values {
     pub fn first<A: Alternatives>(self, level: usize, left: A) -> u32 {
         match self {
             Values::Lexicographic => left.first(),
+            Values::Highest => left.last(),
             Values::Random(seed) => first_at_random(seed, level, left),
         }
     }
@@ -29,6 +32,7 @@ impl Values {
     pub fn before(self, level: usize, a: u32, b: u32) -> bool {
         match self {
             Values::Lexicographic => a < b,
+            Values::Highest => a > b,
             Values::Random(seed) => (rank(seed, level, a), a) < (rank(seed, level, b), b),
         }
     }
@@ -60,8 +64,9 @@ mod tests {
 
     #[test]
     fn orders_are_total_and_agree_with_first() {
-        let values = Values::Random(7);
-        for level in 0..20 {
+        for (values, level) in
+            (0..20).flat_map(|level| [(Values::Random(7), level), (Values::Highest, level)])
+        {
             let mut left = Words::<2>::below(100);
             let mut taken = Vec::new();
             while !left.is_empty() {

@@ -46,6 +46,9 @@ struct Text {
     prunings: Option<String>,
     /// Of random values; else they are lexicographic.
     seed: Option<u64>,
+    /// Without a seed: the largest value first.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    highest_first: bool,
     symmetry_removed: bool,
     /// Left out where it is not so: searches saved before there was anything else.
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]
@@ -99,9 +102,10 @@ pub fn write_job(job: &Job) -> String {
         order: job.order().to_string(),
         prunings: (task.prunings != Prunings::default()).then(|| task.prunings.to_string()),
         seed: match values {
-            Values::Lexicographic => None,
+            Values::Lexicographic | Values::Highest => None,
             Values::Random(seed) => Some(*seed),
         },
+        highest_first: *values == Values::Highest,
         symmetry_removed: *reduce,
         by_lines: *by_lines,
         part: part.map(|Part { number, of, depth }| PartText { number, of, depth }),
@@ -203,7 +207,12 @@ fn job(said: &Text) -> Result<Job, String> {
         }
         Some(ref part) => return Err(format!("there is no part {} of {}", part.number, part.of)),
     };
-    let values = said.seed.map_or(Values::Lexicographic, Values::Random);
+    let values = match (said.seed, said.highest_first) {
+        (None, false) => Values::Lexicographic,
+        (None, true) => Values::Highest,
+        (Some(seed), false) => Values::Random(seed),
+        (Some(_), true) => return Err("values are in random order, or highest first".into()),
+    };
     let (reduce, by_lines) = (said.symmetry_removed, said.by_lines);
     Ok(Job { task, question, values, reduce, part, by_lines })
 }

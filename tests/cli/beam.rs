@@ -33,6 +33,7 @@ fn json_fields() {
         [
             "beam_width",
             "file",
+            "first_row",
             "height",
             "method",
             "nodes",
@@ -51,6 +52,23 @@ fn json_fields() {
     assert!(object["stopped_by"].is_null());
     let whole = place.run("find --kind corner --colors 3 --method beam --json").exits(0);
     place.feed("verify -", &whole.stdout).exits(0);
+}
+
+#[test]
+fn all_colors_in_the_first_row() {
+    let place = Place::new();
+    let find = "find --kind corner --colors 3 --method beam --first-row all --quiet";
+    let found = place.run(find).exits(0);
+    let wanted = "# found by beam search (seed 0, width 8000, all colors in the first row, ";
+    assert!(found.stdout.starts_with(wanted), "{found:#?}");
+    place.run(&format!("{find} -o p.json")).exits(0);
+    let solution: serde_json::Value = serde_json::from_str(&place.read("p.json")).unwrap();
+    assert_eq!(solution["provenance"]["first_row"], "all");
+    let set = "--colors 3 --set compact --size 6x9";
+    let found =
+        place.run(&format!("find --kind corner {set} --method beam --first-row all --json"));
+    let object = found.exits(0).json();
+    assert_eq!((&object["first_row"], &object["beam_width"]), (&"all".into(), &3000.into()));
 }
 
 #[test]
@@ -90,6 +108,9 @@ fn what_the_beam_does_not_know_is_refused() {
         (format!("{corner} --method beam --status s"), "--status do not"),
         (format!("{corner} --method beam --beam-width 0"), "1..=200000"),
         (format!("{corner} --beam-width 10"), "--beam-width needs --method beam"),
+        (format!("{corner} --first-row all"), "--first-row needs --method beam"),
+        (format!("{corner} --first-row all --recursive"), "the first row is given"),
+        (format!("{corner} --first-row one --method beam"), "possible values: two, all"),
         ("find --kind wang --colors 2 --method beam".into(), "for corner tiles, not for wang"),
         ("find --kind domino --colors 2 --method beam".into(), "for corner tiles, not for domino"),
         (format!("{corner} --size 5x4 --method beam"), "20 cells"),

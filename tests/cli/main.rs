@@ -16,12 +16,15 @@ mod files;
 mod find;
 mod list;
 mod pipes;
+mod portfolio;
 mod recursive;
+mod restarts;
 mod rows;
 mod sets;
 mod show;
 mod stopping;
 mod verify;
+mod walk;
 
 use serde_json::Value;
 use std::ffi::OsStr;

@@ -1,11 +1,18 @@
-//! First packings by beam search, checked by reading every window of the colors.
+//! First packings by beam search, by searches begun again and by portfolios, checked by reading every
+//! window of the colors.
 
 #![allow(clippy::unwrap_used, clippy::panic)]
+
+mod portfolio;
+mod restarts;
 
 use std::collections::BTreeSet;
 use std::time::{Duration, Instant};
 use tilepack::beam::{self, Options, Outcome, Refusal};
+use tilepack::packing::Task;
+use tilepack::packing::reduction::Reduction;
 use tilepack::search::Limits;
+use tilepack::symmetry::{Canonizer, Group};
 use tilepack::tiles::notation::parse_members;
 use tilepack::tiles::{Colors, Corner, Kind, Members, TileError, TileId, TileSet};
 use tilepack::torus::{Lattice, Pins, Shape};
@@ -193,6 +200,67 @@ fn recursive_packings() {
         beam::find_recursive(16, &Options { width: 1, ..options }, &few),
         Ok(Outcome { labels: None, .. })
     ));
+}
+
+/// How many symmetries of a torus, with any exchange of colors, map the labels to themselves: by
+/// trying all of them. The first row tells what the exchange would have to be.
+fn symmetries(labels: &[u8], shape: Shape) -> usize {
+    let (w, h) = (shape.width(), shape.height());
+    let mut kept = 0;
+    for (turned, flipped, mirrored) in [false, true]
+        .into_iter()
+        .flat_map(|t| [(t, false, false), (t, true, false), (t, false, true), (t, true, true)])
+    {
+        if turned && w != h {
+            continue;
+        }
+        for shift in 0..w * h {
+            let image = |cell: usize| {
+                let (r, c) = (cell / w, cell % w);
+                let (r, c) = if turned { (c, r) } else { (r, c) };
+                let (r, c) =
+                    (if flipped { h - 1 - r } else { r }, if mirrored { w - 1 - c } else { c });
+                (r + shift / w) % h * w + (c + shift % w) % w
+            };
+            let mut exchange = [None; 256];
+            let fits = (0..w * h).all(|cell| {
+                let to = labels[image(cell)];
+                *exchange[usize::from(labels[cell])].get_or_insert(to) == to
+            });
+            let images: BTreeSet<u8> = exchange.iter().flatten().copied().collect();
+            kept += usize::from(fits && images.len() == exchange.iter().flatten().count());
+        }
+    }
+    kept
+}
+
+#[test]
+fn what_is_found_has_no_symmetry() {
+    // One that has: a shift by three columns adds 1 to every color.
+    let nine = Shape::new(9, 9).unwrap();
+    let shifted: Vec<u8> = (0..81).map(|i| (i / 9 * i % 3 + i % 9 / 3) as u8 % 3).collect();
+    assert!(symmetries(&shifted, nine) >= 3);
+    for (colors, members, size, all) in [
+        (3, "complete", "9x9", true),
+        (3, "complete", "9x9", false),
+        (4, "complete", "16x16", false),
+        (4, "compact", "16x8", true),
+    ] {
+        let (set, shape): (TileSet, Shape) = (corner(colors, members), size.parse().unwrap());
+        let options = options(&set, 1);
+        let options = if all { options.over_all_colors(&set) } else { options };
+        assert_eq!(options.palette, if all { colors as usize } else { 2 });
+        let outcome = beam::find(&set, shape, &options, &Limits::NONE).unwrap();
+        assert_packing(&set, shape, &outcome);
+        let labels = outcome.labels.unwrap();
+        assert_eq!(symmetries(&labels, shape), 1, "{size}: only the identity");
+        // The library agrees: no symmetry but the identity keeps it, so its orbit is the group.
+        let group = Group::of(&set, shape, None).unwrap();
+        let anchor = Reduction::anchored(&Task::new(set, shape)).anchor;
+        let canonizer = Canonizer::new(&group, anchor);
+        let size = canonizer.clone().classify(&canonizer.canonical(&labels));
+        assert_eq!(size.unwrap().to_string(), group.order().to_string());
+    }
 }
 
 #[test]
