@@ -16,6 +16,8 @@
 
 pub mod caps;
 pub mod corner;
+mod corner_batch;
+mod corner_herd;
 pub mod corner_plan;
 pub mod dispatch;
 pub mod estimate;
@@ -33,6 +35,8 @@ pub mod standing;
 pub mod table;
 pub mod task;
 pub mod wang;
+mod wang_batch;
+mod wang_herd;
 pub mod wang_plan;
 pub mod wang_rule;
 mod wang_sprint;

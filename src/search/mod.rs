@@ -13,6 +13,8 @@
 //! This module imports nothing else of the crate.
 
 pub mod alternatives;
+pub mod batch;
+mod bulk;
 pub mod estimate;
 pub mod naive;
 pub mod part;
@@ -29,6 +31,7 @@ pub mod values;
 pub mod walk;
 
 pub use alternatives::{Alternatives, Words};
+pub use batch::{Bounds, Visited};
 pub use part::{Frontier, Part, cut, frontier};
 pub use path::Path;
 pub use pool::{Plan, run};
