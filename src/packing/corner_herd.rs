@@ -7,7 +7,7 @@
 
 use super::Task;
 use super::caps::Caps;
-use super::corner_batch::{Kernel, LONGEST_LINE, MOST_DOMINOES, Node};
+use super::corner_batch::{COLORS, Kernel, LONGEST_LINE, MOST_DOMINOES, Node};
 use super::corner_plan::CornerPlan;
 use crate::search::batch::Batch;
 use crate::search::{Bounds, Visited};
@@ -16,7 +16,7 @@ use crate::torus::{Cell, Order};
 /// Partial packings that wait for being completed.
 #[derive(Debug, Clone)]
 pub(super) struct Herd {
-    batch: Colors,
+    batch: Batch<Kernel>,
     /// The cells in the order of lines, and at the first level so many of them are known.
     line_order: Vec<u32>,
     known: usize,
@@ -24,13 +24,6 @@ pub(super) struct Herd {
     transposed: bool,
     from: usize,
     colors: usize,
-}
-
-/// By the number of colors.
-#[derive(Debug, Clone)]
-enum Colors {
-    Three(Batch<Kernel<3>>),
-    Four(Batch<Kernel<4>>),
 }
 
 impl Herd {
@@ -45,7 +38,7 @@ impl Herd {
             _ => return None,
         };
         let (cells, levels) = (shape.cells(), plan.steps.len());
-        let fits = colors <= 4 && (3..=LONGEST_LINE).contains(&length) && lines >= 3;
+        let fits = colors <= COLORS && (3..=LONGEST_LINE).contains(&length) && lines >= 3;
         let dominoes = task.set.size() <= 256 && colors.pow(2) as u64 <= MOST_DOMINOES;
         if !fits || !dominoes || task.cover {
             return None;
@@ -61,15 +54,9 @@ impl Herd {
         let suits = pairs.take_while(|(step, cell)| step.cell == **cell).count();
         let known = cells - levels;
         let from = (levels - suits).max(length.saturating_sub(known));
-        let batch = if colors <= 3 {
-            let allowed = free::<3>(colors, transposed, |known| allowed[row(shift, known)]);
-            let kernel = Kernel::new(length, cells, levels, allowed, task.set.is_compact());
-            Colors::Three(Batch::new(kernel, levels))
-        } else {
-            let allowed = free::<4>(colors, transposed, |known| allowed[row(shift, known)]);
-            let kernel = Kernel::new(length, cells, levels, allowed, task.set.is_compact());
-            Colors::Four(Batch::new(kernel, levels))
-        };
+        let allowed = free(colors, transposed, |known| allowed[row(shift, known)]);
+        let kernel = Kernel::new(length, cells, levels, allowed, task.set.is_compact());
+        let batch = Batch::new(kernel, levels);
         Some(Self { batch, line_order, known, length, transposed, from, colors })
     }
 
@@ -92,19 +79,22 @@ impl Herd {
         let last = chosen.saturating_sub(32)..chosen;
         let past = last.fold(0, |past, at| past >> 2 | bits(at) << 62);
         let first = (0..self.length).fold(0, |first, at| first | (bits(at) as u32) << (2 * at));
-        let given = (past, first, self.colors, self.transposed);
-        match &mut self.batch {
-            Colors::Three(batch) => batch.add(level, node(given, open, caps)),
-            Colors::Four(batch) => batch.add(level, node(given, open, caps)),
+        let mut node =
+            Node { free: free(self.colors, self.transposed, open), past, first, ..Node::default() };
+        for (row, (beside, behind)) in node.beside.iter_mut().zip(&mut node.behind).enumerate() {
+            for color in 0..self.colors {
+                let across = Node::lane(color, caps.left_across(row as u8, color as u8));
+                let along = Node::lane(color, caps.left_along(row as u8, color as u8));
+                let (a, b) = if self.transposed { (along, across) } else { (across, along) };
+                (*beside, *behind) = (*beside | a, *behind | b);
+            }
         }
+        self.batch.add(level, node);
     }
 
     /// Visits all below what was added.
     pub(super) fn expand(&mut self, bounds: Bounds) -> Result<Visited, u64> {
-        match &mut self.batch {
-            Colors::Three(batch) => batch.expand(bounds),
-            Colors::Four(batch) => batch.expand(bounds),
-        }
+        self.batch.expand(bounds)
     }
 }
 
@@ -113,32 +103,9 @@ fn row(shift: u32, known: [u8; 3]) -> usize {
     (a << shift | b) << shift | c
 }
 
-fn node<const K: usize, const W: usize, const C: usize>(
-    (past, first, colors, transposed): (u64, u32, usize, bool),
-    open: impl Fn([u8; 3]) -> u64,
-    caps: &Caps<W, C>,
-) -> Node<K> {
-    let free = free::<K>(colors, transposed, open);
-    let mut node = Node { free, past, first, ..Node::default() };
-    for (row, (beside, behind)) in node.beside.iter_mut().zip(&mut node.behind).enumerate() {
-        for color in 0..colors {
-            let across = caps.left_across(row as u8, color as u8);
-            let along = caps.left_along(row as u8, color as u8);
-            let (a, b) = if transposed { (along, across) } else { (across, along) };
-            *beside |= Node::<K>::lane(color, a);
-            *behind |= Node::<K>::lane(color, b);
-        }
-    }
-    node
-}
-
 /// The tiles open, by `d`, bit by bit of `bac`.
-fn free<const K: usize>(
-    colors: usize,
-    transposed: bool,
-    open: impl Fn([u8; 3]) -> u64,
-) -> [u64; K] {
-    let mut free = [0; K];
+fn free(colors: usize, transposed: bool, open: impl Fn([u8; 3]) -> u64) -> [u64; COLORS] {
+    let mut free = [0; COLORS];
     for (d, free) in free.iter_mut().enumerate().take(colors) {
         for b in 0..colors {
             for a in 0..colors {
