@@ -15,8 +15,8 @@ use super::batch::HANDFUL;
 use super::{Alternatives, Bounds, Problem};
 
 /// Nodes below one gathered: with more the level is chosen deeper, with fewer less deep.
-const MOST: u64 = 1024;
-const FEWEST: u64 = 256;
+const MOST: u64 = 512;
+const FEWEST: u64 = 128;
 /// The share of what is left of the budget that a batch is expected to take, inverted.
 const SHARE: u64 = 4;
 /// Batches that the budget of a run is thought good for, at least.
