@@ -9,6 +9,7 @@ use super::Task;
 use super::caps::Caps;
 use super::corner_batch::{COLORS, Kernel, LONGEST_LINE, MOST_DOMINOES, Node};
 use super::corner_plan::CornerPlan;
+use super::corner_tables::row;
 use crate::search::batch::Batch;
 use crate::search::{Bounds, Visited};
 use crate::torus::{Cell, Order};
@@ -96,11 +97,6 @@ impl Herd {
     pub(super) fn expand(&mut self, bounds: Bounds) -> Result<Visited, u64> {
         self.batch.expand(bounds)
     }
-}
-
-fn row(shift: u32, known: [u8; 3]) -> usize {
-    let [a, b, c] = known.map(usize::from);
-    (a << shift | b) << shift | c
 }
 
 /// The tiles open, by `d`, bit by bit of `bac`.

@@ -6,6 +6,8 @@
 //!   the most valuable pruning.
 //! * [`wang`]: whole tiles in cells, the candidates being the AND of a few masks. Rings of
 //!   dominoes are Wang tiles with one color across ([`ring`]).
+//! * `corner_batch` and `wang_batch`: partial packings in a few words, completed many at a
+//!   time, where the rest is filled line by line (`corner_herd`, `wang_herd`).
 //! * [`quotient`]: with a prescribed automorphism one choice decides an orbit of cells.
 //! * [`reduction`]: translations and the order of colors are removed before the search starts,
 //!   exactly, and multiplied back.
@@ -19,6 +21,7 @@ pub mod corner;
 mod corner_batch;
 mod corner_herd;
 pub mod corner_plan;
+mod corner_tables;
 pub mod dispatch;
 pub mod estimate;
 pub mod frontier;

@@ -6,7 +6,8 @@
 //! and the alternatives left there. It is what a thread steals from, what a stopped search
 //! leaves behind to go on from, and what the honest measure of progress is read off.
 //!
-//! A *node* is one committed valid placement: one call of [`Problem::push`] by the walk. The
+//! A *node* is one committed valid placement: one call of [`Problem::push`] by the walk, or one
+//! child made where the walk leaves subtrees to a problem ([`sprint`], [`batch`]). The
 //! number of nodes of a complete search is a property of the problem alone, the same for any
 //! number of threads.
 //!
