@@ -79,6 +79,16 @@ impl<const W: usize, const C: usize> Caps<W, C> {
         gather::<W>(|word| self.along[usize::from(first) % C][word])
     }
 
+    /// How often a horizontal domino may still occur.
+    pub fn left_across(&self, first: u8, second: u8) -> u64 {
+        left(&self.across[usize::from(first) % C], second)
+    }
+
+    /// How often a vertical domino may still occur.
+    pub fn left_along(&self, first: u8, second: u8) -> u64 {
+        left(&self.along[usize::from(first) % C], second)
+    }
+
     /// Whether a horizontal domino may occur once more.
     pub fn has_across(&self, first: u8, second: u8) -> bool {
         has(&self.across[usize::from(first) % C], second)
@@ -137,6 +147,11 @@ fn lane<const W: usize>(color: u8) -> (usize, u32) {
 fn has<const W: usize>(row: &[u64; W], color: u8) -> bool {
     let (word, shift) = lane::<W>(color);
     row[word] >> shift & 1 << (LANE - 1) != 0
+}
+
+fn left<const W: usize>(row: &[u64; W], color: u8) -> u64 {
+    let (word, shift) = lane::<W>(color);
+    (row[word] >> shift & (1 << LANE) - 1).saturating_sub(NONE)
 }
 
 #[inline(always)]

@@ -9,15 +9,16 @@
 //! exactly the windows and dominoes whose points are all known.
 
 use super::caps::Caps;
+use super::corner_herd::Herd;
 use super::corner_plan::{CornerPlan, Step, Window};
+use super::corner_tables::{allowed_rows, caps, follow, row};
 use super::last_lines::{Found, LastLines};
 use super::quotient::Quotient;
 use super::reduction::Reduction;
 use super::rule::Rule;
 use super::table::Table;
 use super::{Labeled, MAX_SEARCH_COLORS, Task, TaskError};
-use crate::search::{Alternatives, Problem, Words};
-use crate::tiles::{Kind, TileSet};
+use crate::search::{Alternatives, Bounds, Problem, Visited, Words};
 use crate::torus::Cell;
 
 /// What the inner loop needs of a step.
@@ -43,12 +44,16 @@ pub struct Corner<R, const W: usize, const C: usize, const L: usize, const QUOTI
     used: Table<u8, L>,
     /// By that number: the colors that may follow.
     follow: Table<u64, 128>,
+    /// All colors.
+    all: u64,
     around: Table<Around, L>,
     /// The color maps of 0, 1, … steps of the automorphism.
     maps: Vec<Vec<u8>>,
     /// By level: the points of its orbit.
     orbits: Vec<Vec<u32>>,
     cells: usize,
+    /// What batches need, where there may be any.
+    herd: Option<Box<Herd>>,
 }
 
 /// What a step that is not simple decides: no more than the four windows and four dominoes
@@ -105,6 +110,7 @@ impl<R: Rule, const W: usize, const C: usize, const L: usize, const QUOTIENT: bo
         let limit = task.set.is_compact().then_some(2);
         let allowed = allowed_rows(&task.set, shift, &maps, !task.cover, limit);
         let used = given.iter().flatten().max().map_or(0, |&color| color + 1);
+        let herd = if QUOTIENT { None } else { Herd::new(task, &plan, &allowed, shift) };
         let mut problem = Self {
             places: Table::new(plan.steps.iter().map(Place::of).collect(), Place::default()),
             value: Table::new(vec![0; task.shape.cells()], 0),
@@ -112,11 +118,13 @@ impl<R: Rule, const W: usize, const C: usize, const L: usize, const QUOTIENT: bo
             caps: caps(task),
             shift,
             used: Table::new(vec![used; plan.steps.len() + 1], 0),
+            all: u64::MAX >> (MAX_SEARCH_COLORS - count),
             follow: Table::new(follow(count, reduction.ordered_from.is_some()), 0),
             around: Table::new(plan.steps.iter().map(Around::of).collect(), Around::default()),
             maps,
             orbits: plan.steps.into_iter().map(|step| step.orbit).collect(),
             cells: task.shape.cells(),
+            herd: herd.map(Box::new),
         };
         for step in &plan.fixed {
             if let Err(cell) = problem.fix(step, &given) {
@@ -152,8 +160,7 @@ impl<R: Rule, const W: usize, const C: usize, const L: usize, const QUOTIENT: bo
 
     #[inline(always)]
     fn row(&self, known: [u8; 3]) -> usize {
-        let [a, b, c] = known.map(usize::from);
-        (a << self.shift | b) << self.shift | c
+        row(self.shift, known)
     }
 
     #[inline(always)]
@@ -413,6 +420,25 @@ impl<R: Rule, const W: usize, const C: usize, const L: usize, const QUOTIENT: bo
         self.each_domino(known[1], color, Caps::release_along);
         self.each_domino(known[2], color, Caps::release_across);
     }
+
+    fn gathers_from(&self) -> Option<usize> {
+        self.herd.as_ref().map(|herd| herd.from())
+    }
+
+    fn gather(&mut self, level: usize) -> bool {
+        let Some(herd) = &mut self.herd else { return false };
+        // While the order of colors is open it takes part in every choice.
+        if self.follow[usize::from(self.used[level])] != self.all {
+            return false;
+        }
+        let rows = |known| self.rule.open(row(self.shift, known));
+        herd.gather(level, rows, &self.caps, |cell| self.value[cell as usize]);
+        true
+    }
+
+    fn expand(&mut self, bounds: Bounds) -> Result<Visited, u64> {
+        self.herd.as_mut().map_or(Ok(Visited::default()), |herd| herd.expand(bounds))
+    }
 }
 
 impl<R: Rule, const W: usize, const C: usize, const L: usize, const QUOTIENT: bool> Labeled
@@ -428,64 +454,4 @@ impl<R: Rule, const W: usize, const C: usize, const L: usize, const QUOTIENT: bo
         let open = |known| self.rule.open(self.row(known));
         last.is_hopeless(level, found, color, open, |known| open(known) & self.caps.open(known))
     }
-}
-
-/// By the number of colors used, the colors that may follow: in a fixed order those used and
-/// the next one, else all.
-fn follow(count: usize, ordered: bool) -> Vec<u64> {
-    let below = |colors: usize| u64::MAX >> (MAX_SEARCH_COLORS - colors.min(count));
-    (0..=count).map(|used| below(if ordered { used + 1 } else { count })).collect()
-}
-
-/// A tile as the colors of a window's known corners and free corner.
-fn window_colors(set: &TileSet, sides: [u8; 4]) -> [u8; 4] {
-    let [ne, se, sw, nw] = sides;
-    if set.is_compact() { [sw, se, nw, ne] } else { [nw, ne, sw, se] }
-}
-
-/// For every row the tiles that may be placed: those of the set that an automorphism lets
-/// occur. A tile takes its images along; in a packing they must be different tiles, and of a
-/// row at most `limit` may be taken.
-fn allowed_rows(
-    set: &TileSet,
-    shift: u32,
-    maps: &[Vec<u8>],
-    packing: bool,
-    limit: Option<usize>,
-) -> Vec<u64> {
-    let mut rows = vec![0; 1 << (3 * shift)];
-    let mut images: Vec<(usize, u8)> = Vec::with_capacity(maps.len());
-    for tile in set.allowed() {
-        let sides = window_colors(set, Kind::Corner.unpack(tile, set.colors()));
-        let image = |map: &Vec<u8>| {
-            let [a, b, c, free] = sides.map(|color| map[usize::from(color)]);
-            let [a, b, c] = [a, b, c].map(usize::from);
-            ((a << shift | b) << shift | c, free)
-        };
-        images.clear();
-        images.extend(maps.iter().map(image));
-        let (row, free) = images[0];
-        images.sort_unstable();
-        let twice = images.windows(2).any(|pair| pair[0] == pair[1]);
-        images.dedup();
-        let crowded =
-            limit.is_some_and(|limit| images.iter().filter(|image| image.0 == row).count() > limit);
-        if !(crowded || packing && twice) {
-            rows[row] |= 1 << free;
-        }
-    }
-    rows
-}
-
-fn caps<const W: usize, const C: usize>(task: &Task) -> Caps<W, C> {
-    let (set, count) = (&task.set, task.set.colors().horizontal());
-    let tiles =
-        set.allowed().map(|tile| window_colors(set, Kind::Corner.unpack(tile, set.colors())));
-    let share = if set.is_compact() { (2, count as u64) } else { (1, 1) };
-    // Without caps as many as there are windows, with images.
-    let spare = match task.prunings.caps {
-        true => task.shape.cells() as u64 - set.size(),
-        false => task.shape.cells() as u64,
-    };
-    Caps::new(count, tiles, share, spare)
 }

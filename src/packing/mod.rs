@@ -7,6 +7,8 @@
 //! * [`wang`]: whole tiles in cells, the candidates being the AND of a few masks. Rings of
 //!   dominoes are Wang tiles with one color across ([`ring`]).
 //! * [`board`]: tiles on boards with outer sides, or squares that may be turned.
+//! * `corner_batch` and `wang_batch`: partial packings in a few words, completed many at a
+//!   time, where the rest is filled line by line (`corner_herd`, `wang_herd`).
 //! * [`quotient`]: with a prescribed automorphism one choice decides an orbit of cells.
 //! * [`reduction`]: translations and the order of colors are removed before the search starts,
 //!   exactly, and multiplied back.
@@ -22,7 +24,10 @@ mod board_plan;
 mod board_sprint;
 pub mod caps;
 pub mod corner;
+mod corner_batch;
+mod corner_herd;
 pub mod corner_plan;
+mod corner_tables;
 pub mod dispatch;
 pub mod estimate;
 pub mod frontier;
@@ -42,6 +47,8 @@ pub mod standing;
 pub mod table;
 pub mod task;
 pub mod wang;
+mod wang_batch;
+mod wang_herd;
 pub mod wang_plan;
 pub mod wang_rule;
 mod wang_sprint;

@@ -13,11 +13,12 @@
 
 use super::reduction::Reduction;
 use super::table::Table;
+use super::wang_herd::Herd;
 use super::wang_plan::{NEIGHBORS, WangPlan};
 use super::wang_rule::WangRule;
 use super::wang_sprint::Track;
 use super::{Labeled, Task, TaskError};
-use crate::search::{Alternatives, Problem, Sprint, Stretch, Words};
+use crate::search::{Alternatives, Bounds, Problem, Sprint, Stretch, Visited, Words};
 use crate::torus::Cell;
 
 /// Which labels of a cell to give: dominoes have but one.
@@ -66,6 +67,8 @@ pub struct Wang<const N: usize, const L: usize, R, const QUOTIENT: bool> {
     plan: WangPlan<N>,
     /// What sprints need, where there are any.
     pub(super) track: Option<Box<Track<N, L>>>,
+    /// What batches need, where there may be any.
+    herd: Option<Box<Herd>>,
 }
 
 impl<const N: usize, const L: usize, R: WangRule<N>, const QUOTIENT: bool> Wang<N, L, R, QUOTIENT> {
@@ -99,12 +102,14 @@ impl<const N: usize, const L: usize, R: WangRule<N>, const QUOTIENT: bool> Wang<
             stride,
             shown,
             track: None,
+            herd: None,
             plan,
         };
         match problem.prepare(task) {
             Ok(()) => {
                 if Self::SPRINTS {
                     problem.track = problem.track();
+                    problem.herd = Herd::new(task, &problem.plan).map(Box::new);
                 }
                 Ok(Some(problem))
             }
@@ -183,6 +188,24 @@ impl<const N: usize, const L: usize, R: WangRule<N>, const QUOTIENT: bool> Probl
 
     fn sprint(&mut self, stretch: Stretch<'_, Words<N>>) -> Option<Sprint> {
         if Self::SPRINTS { self.run(stretch) } else { None }
+    }
+
+    fn gathers_from(&self) -> Option<usize> {
+        self.herd.as_ref().map(|herd| herd.from())
+    }
+
+    fn gather(&mut self, level: usize) -> bool {
+        let Some(herd) = &mut self.herd else { return false };
+        // While the order of colors is open it takes part in every choice.
+        if self.ordered && self.used[level] != self.all_used {
+            return false;
+        }
+        herd.gather(level, self.rule.open(level), |slot| self.slots[slot as usize].tile);
+        true
+    }
+
+    fn expand(&mut self, bounds: Bounds) -> Result<Visited, u64> {
+        self.herd.as_mut().map_or(Ok(Visited::default()), |herd| herd.expand(bounds))
     }
 
     fn levels(&self) -> usize {

@@ -6,13 +6,16 @@
 //! and the alternatives left there. It is what a thread steals from, what a stopped search
 //! leaves behind to go on from, and what the honest measure of progress is read off.
 //!
-//! A *node* is one committed valid placement: one call of [`Problem::push`] by the walk. The
+//! A *node* is one committed valid placement: one call of [`Problem::push`] by the walk, or one
+//! child made where the walk leaves subtrees to a problem ([`sprint`], [`batch`]). The
 //! number of nodes of a complete search is a property of the problem alone, the same for any
 //! number of threads.
 //!
 //! This module imports nothing else of the crate.
 
 pub mod alternatives;
+pub mod batch;
+mod bulk;
 pub mod estimate;
 pub mod naive;
 pub mod part;
@@ -31,6 +34,7 @@ pub mod values;
 pub mod walk;
 
 pub use alternatives::{Alternatives, Words};
+pub use batch::{Bounds, Visited};
 pub use part::{Frontier, Part, cut, frontier};
 pub use path::Path;
 pub use pool::{Plan, run};

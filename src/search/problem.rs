@@ -1,6 +1,6 @@
 //! What a search walks over.
 
-use super::{Alternatives, Sprint, Stretch};
+use super::{Alternatives, Bounds, Sprint, Stretch, Visited};
 
 /// A tree of choices: at each of a fixed number of levels one of a set of alternatives.
 ///
@@ -38,5 +38,26 @@ pub trait Problem: Clone + Send + Sync {
     fn sprint(&mut self, stretch: Stretch<'_, Self::Alternatives>) -> Option<Sprint> {
         let _ = stretch;
         None
+    }
+
+    /// The first level at which [`Problem::gather`] may ever do something, if there is one.
+    fn gathers_from(&self) -> Option<usize> {
+        None
+    }
+
+    /// Puts the node where it stands, at `level`, into a batch; false when that cannot be.
+    fn gather(&mut self, level: usize) -> bool {
+        let _ = level;
+        false
+    }
+
+    /// Visits all below the nodes gathered; afterwards there are none. The problem stays where
+    /// it stands.
+    ///
+    /// # Errors
+    /// When the bounds do not allow it: how many nodes were visited in vain.
+    fn expand(&mut self, bounds: Bounds) -> Result<Visited, u64> {
+        let _ = bounds;
+        Ok(Visited::default())
     }
 }

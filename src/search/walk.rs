@@ -3,7 +3,8 @@
 //! The loop runs in slices of a bounded number of nodes, so that it needs no look at a clock or
 //! flag inside; between slices the path may be saved, measured or split. It allocates nothing.
 
-use super::{Alternatives, Part, Path, Problem, Sink, Stretch, Values};
+use super::bulk::{Bulk, Spot};
+use super::{Alternatives, Bounds, Part, Path, Problem, Sink, Stretch, Values};
 use std::ops::ControlFlow;
 
 /// How a slice of a walk ended.
@@ -24,6 +25,7 @@ pub struct Walk<P: Problem> {
     values: Values,
     part: Option<Part>,
     path: Path<P::Alternatives>,
+    bulk: Bulk<P::Alternatives>,
     /// Nodes visited.
     pub nodes: u64,
     /// Solutions met.
@@ -46,7 +48,8 @@ impl<P: Problem> Walk<P> {
     pub fn new(mut problem: P, values: Values, path: Path<P::Alternatives>) -> Self {
         path.replay(&mut problem);
         let deepest = path.level();
-        Self { problem, values, part: None, path, nodes: 0, solutions: 0, deepest }
+        let bulk = Bulk::new();
+        Self { problem, values, part: None, path, bulk, nodes: 0, solutions: 0, deepest }
     }
 
     /// The same walk within one part of the tree, to which its path belongs.
@@ -96,18 +99,19 @@ impl<P: Problem> Walk<P> {
     /// Walks on for at most `budget` nodes.
     pub fn run<S: Sink<P>>(&mut self, budget: u64, sink: &mut S) -> Slice<S::Found> {
         let values = self.values;
-        let Self { problem, path, part, .. } = self;
+        let Self { problem, path, part, bulk, .. } = self;
         let (path_level, choices, left) = path.parts();
         let levels = choices.len();
         // The level at which some alternatives belong to other parts, if there are any.
         let cut = part.map_or(usize::MAX, Part::level);
-        // Below which level the problem may sprint, if at all.
+        // Below which level the problem may go on by itself, if at all.
+        let counts = sink.counts();
+        let below = if counts || sink.breaks() { part.map_or(0, Part::level) } else { levels };
         let lexicographic = values == Values::Lexicographic;
-        let (counts, sprints) = (sink.counts(), sink.counts() || sink.breaks());
-        let start = match P::SPRINTS && lexicographic && sprints {
-            true => part.map_or(0, Part::level),
-            false => usize::MAX,
-        };
+        let start = if P::SPRINTS && lexicographic { below } else { usize::MAX };
+        let lowest = problem.gathers_from().map(|lowest| lowest.max(below + 1));
+        let mut watch = bulk.begin(lowest, levels, budget);
+        let bounds = Bounds { levels, budget, solutions: counts };
         if levels == 0 {
             if left[0].is_empty() {
                 return Slice::Exhausted;
@@ -119,67 +123,96 @@ impl<P: Problem> Walk<P> {
                 ControlFlow::Continue(()) => Slice::Exhausted,
             };
         }
-        let mut level = *path_level;
-        let mut here = left[level];
-        let mut deepest = self.deepest;
-        let mut nodes = 0;
+        let level = *path_level;
+        let deepest = self.deepest;
+        let mut at = Spot { level, here: left[level], nodes: 0, solutions: 0, deepest };
         let end = loop {
-            if here.is_empty() {
-                if level == 0 {
-                    break Slice::Exhausted;
-                }
-                level -= 1;
-                problem.pop(level, choices[level]);
-                here = left[level];
+            if at.here.is_empty() && at.level > 0 {
+                at.level -= 1;
+                problem.pop(at.level, choices[at.level]);
+                at.here = left[at.level];
                 continue;
             }
-            if nodes == budget {
-                break Slice::Paused;
+            let is_over = at.here.is_empty();
+            if is_over || at.nodes == watch.pause {
+                if bulk.is_waiting() {
+                    at = bulk.settle(problem, at, choices, left, bounds);
+                } else if is_over {
+                    break Slice::Exhausted;
+                } else if at.nodes == budget {
+                    break Slice::Paused;
+                }
+                watch = bulk.watch(at.nodes, budget);
+                continue;
             }
-            nodes += 1;
-            let choice = values.first(level, here);
-            here.remove(choice);
+            at.nodes += 1;
+            let level = at.level;
+            let choice = values.first(level, at.here);
+            at.here.remove(choice);
             problem.push(level, choice);
             choices[level] = choice;
             if level + 1 < levels {
-                left[level] = here;
-                level += 1;
-                deepest = deepest.max(level);
-                here = problem.alternatives(level);
+                left[level] = at.here;
+                let level = level + 1;
+                at.level = level;
+                at.deepest = at.deepest.max(level);
+                at.here = problem.alternatives(level);
                 if level == cut {
-                    here = in_part(*part, &choices[..level], here);
+                    at.here = in_part(*part, &choices[..level], at.here);
                 }
-                if P::SPRINTS
-                    && level >= start
-                    && budget - nodes >= SHORTEST_SPRINT
-                    && !here.is_empty()
-                {
-                    left[level] = here;
-                    let budget = budget - nodes;
+                if at.here.is_empty() {
+                    continue;
+                }
+                if level >= watch.root {
+                    let (taken, enough) = bulk.gather(problem, at, choices, left);
+                    if taken {
+                        at.here = P::Alternatives::EMPTY;
+                        if enough {
+                            at = bulk.settle(problem, at, choices, left, bounds);
+                            watch = bulk.watch(at.nodes, budget);
+                        }
+                        continue;
+                    }
+                }
+                // A sprint would go below what is to be gathered.
+                let may_sprint = P::SPRINTS && level >= start && watch.root == usize::MAX;
+                if may_sprint && watch.pause - at.nodes >= SHORTEST_SPRINT {
+                    left[level] = at.here;
+                    let budget = watch.pause - at.nodes;
                     let stretch =
                         Stretch { level, choices: &mut *choices, left: &mut *left, budget, counts };
                     if let Some(sprint) = problem.sprint(stretch) {
-                        nodes += sprint.nodes;
-                        self.solutions += sprint.solutions;
-                        deepest = deepest.max(sprint.deepest);
-                        level = sprint.level;
-                        here = left[level];
+                        at.nodes += sprint.nodes;
+                        at.solutions += sprint.solutions;
+                        at.deepest = at.deepest.max(sprint.deepest);
+                        at.level = sprint.level;
+                        at.here = left[at.level];
                     }
                 }
                 continue;
             }
-            deepest = levels;
-            self.solutions += 1;
+            if !counts && bulk.is_waiting() {
+                // What was gathered comes first.
+                problem.pop(level, choice);
+                at.here.insert(choice);
+                at.nodes -= 1;
+                at = bulk.settle(problem, at, choices, left, bounds);
+                watch = bulk.watch(at.nodes, budget);
+                continue;
+            }
+            at.deepest = levels;
+            at.solutions += 1;
             let answer = sink.solution(problem, choices);
             problem.pop(level, choice);
             if let ControlFlow::Break(found) = answer {
                 break Slice::Found(found);
             }
         };
-        left[level] = here;
-        *path_level = level;
-        self.deepest = deepest;
-        self.nodes += nodes;
+        left[at.level] = at.here;
+        *path_level = at.level;
+        self.deepest = at.deepest;
+        self.nodes += at.nodes;
+        self.solutions += at.solutions;
         end
     }
 }

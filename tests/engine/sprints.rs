@@ -11,7 +11,7 @@ use tilepack::search::{Count, Part, Path, Problem, Sink, Slice, Values, Walk};
 
 /// A problem that never sprints.
 #[derive(Clone)]
-struct StepByStep<P>(P);
+pub(crate) struct StepByStep<P>(pub(crate) P);
 
 impl<P: Problem> Problem for StepByStep<P> {
     type Alternatives = P::Alternatives;
@@ -56,9 +56,9 @@ impl<P: Problem> Sink<P> for Wants {
 }
 
 /// What can be seen of a walk after a slice.
-type Seen<A, F> = (Slice<F>, Vec<u32>, Vec<A>, [u64; 3]);
+pub(crate) type Seen<A, F> = (Slice<F>, Vec<u32>, Vec<A>, [u64; 3]);
 
-fn slice<P: Problem, S: Sink<P>>(
+pub(crate) fn slice<P: Problem, S: Sink<P>>(
     walk: &mut Walk<P>,
     budget: u64,
     sink: &mut S,
@@ -68,7 +68,7 @@ fn slice<P: Problem, S: Sink<P>>(
     (end, choices, left, [walk.nodes, walk.solutions, walk.deepest as u64])
 }
 
-fn walk<P: Problem>(mut problem: P, part: Option<Part>) -> Walk<P> {
+pub(crate) fn walk<P: Problem>(mut problem: P, part: Option<Part>) -> Walk<P> {
     let part =
         part.map(|part| Part { depth: part.depth.clamp(1, problem.levels().max(1)), ..part });
     let path = match part {
