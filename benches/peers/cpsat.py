@@ -2,8 +2,8 @@
 
 `plain`: tiles and points are 0/1 variables, a point being the sum of the tiles that show it.
 `caps`: the same with pairs of neighbors and the counts. `integers`: the colors are integers, the
-numbers of the tiles (of all images under the automorphism) linear in them and all different.
-All packings by enumerate_all_solutions.
+numbers of the tiles (of all images under the automorphism) linear in them and all different
+(on a board, the numbers of the squares by a table of the sides). All packings by enumerate_all_solutions.
 """
 
 from itertools import product
@@ -50,15 +50,26 @@ def integers(cp, problem):
             cp.add_allowed_assignments(images, turns)
     tiles = []
     for (row, column), turn in product(problem.cells(), range(problem.order)):
+        if problem.kind == "board":
+            tiles.append(square(cp, problem, [shown[v][0] for v, _ in problem.sides(row, column)]))
+            continue
         tile = 0
         for v, power in problem.sides(row, column):
             tile = tile * colors + shown[v][(power + turn) % problem.order]
         tiles.append(tile)
     cp.add_all_different(tiles)
-    if problem.pinned:
-        for v, power in problem.sides(0, 0):
-            cp.add(shown[v][power % problem.order] == 0)
+    for v, color in problem.fixed().items():
+        cp.add(shown[v][0] == color)
     return lambda solver: [solver.value(images[0]) for images in shown]
+
+
+def square(cp, problem, sides):
+    """The number of the square with these sides, in any rotation."""
+    squares = problem.squares()
+    laid = cp.new_int_var(0, len(squares) - 1, "")
+    every = product(range(problem.colors), repeat=4)
+    cp.add_allowed_assignments([*sides, laid], [(*s, squares.index(problem.orbit(s))) for s in every])
+    return laid
 
 
 def solve(problem, encoding, seed, clock):

@@ -3,10 +3,12 @@
 A row of the matrix puts a tile into a cell; it covers the cell, the tile and, of every side it
 shares, either its color (as the first of the two neighbors) or all colors but its own (as the
 second): neighbors cover each color of a side once exactly when they agree. The sides of corner
-tiles have two corners, so C^2 colors. Encodings: cells and tiles before sides, or after.
+tiles have two corners, so C^2 colors. On a board a tile is a square in one rotation, and the row
+covers the square; outer sides that show another color than the border are left out. Encodings: cells and tiles before sides, or after.
 """
 
 import random
+from collections import Counter
 from itertools import product
 
 import numpy
@@ -16,28 +18,38 @@ import report
 
 
 def rows(problem):
-    corner = problem.kind == "corner"
-    for row, column in problem.cells():
-        side = problem.sides(row, column)
+    sides = {cell: problem.sides(*cell) for cell in problem.cells()}
+    met = Counter(v for side in sides.values() for v, _ in side)
+    fixed = problem.fixed()
+    for (row, column), side in sides.items():
         for shown in product(range(problem.colors), repeat=4):
-            if problem.pinned and (row, column) == (0, 0) and any(shown):
+            colors = [problem.color(s, power) for (_, power), s in zip(side, shown)]
+            if any(fixed.get(v, color) != color for (v, _), color in zip(side, colors)):
                 continue
             items = [("cell", row, column), ("tile", problem.orbit(shown))]
-            if corner:
-                # North, south, west, east side: its two corners.
-                parts = [("h", row, column, (3, 0), True), ("h", row + 1, column, (2, 1), False),
-                         ("v", row, column, (3, 2), True), ("v", row, column + 1, (0, 1), False)]
-            else:
-                parts = [("h", row, column, (0,), True), ("h", row + 1, column, (2,), False),
-                         ("v", row, column, (3,), True), ("v", row, column + 1, (1,), False)]
-            for axis, r, c, corners, first in parts:
-                power = c % problem.side // problem.width
-                place = (axis, r % problem.side, c % problem.width)
-                own = tuple((shown[i] - power) % problem.colors for i in corners)
-                for color in product(range(problem.colors), repeat=len(corners)):
+            for place, own, first in parts(problem, row, column, side, shown, colors):
+                if problem.kind == "board" and met[place[0]] == 1:
+                    continue
+                for color in product(range(problem.colors), repeat=len(own)):
                     if (color == own) == first:
                         items.append(place + (color,))
-            yield items, (side[3], shown[3])
+            yield items, [(v, color) for (v, _), color in zip(side, colors)]
+
+
+def parts(problem, row, column, side, shown, colors):
+    """The north, south, west and east side: its place, its colors, whether it is the first."""
+    if problem.kind != "corner":
+        for i, first in [(0, True), (2, False), (3, True), (1, False)]:
+            yield (side[i][0],), (colors[i],), first
+        return
+    # Two corners each.
+    for axis, r, c, corners, first in [
+        ("h", row, column, (3, 0), True), ("h", row + 1, column, (2, 1), False),
+        ("v", row, column, (3, 2), True), ("v", row, column + 1, (0, 1), False),
+    ]:
+        power = c % problem.side // problem.width
+        own = tuple(problem.color(shown[i], power) for i in corners)
+        yield (axis, r % problem.side, c % problem.width), own, first
 
 
 def solve(problem, encoding, seed, clock):
@@ -53,9 +65,8 @@ def solve(problem, encoding, seed, clock):
     clock.start()
     if problem.all:
         return exact_cover.get_solution_count(matrix)
-    shown = (listed[i][1] for i in exact_cover.get_exact_cover(matrix))
-    corners = {v: problem.color(color, power) for (v, power), color in shown}
-    return [corners[v] for v in range(problem.labels())]
+    laid = dict(each for i in exact_cover.get_exact_cover(matrix) for each in listed[i][1])
+    return [laid[v] for v in range(problem.labels())]
 
 
 report.main(solve)

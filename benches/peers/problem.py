@@ -3,13 +3,15 @@
 A problem is a torus of labels (lattice colors of corner tiles, edge colors of Wang tiles), one
 variable each, cut down to a fundamental domain where an automorphism a[row][column + DX] =
 a[row][column] + 1 is prescribed. `Model` says it in 0/1 variables: exactly-one groups, ands and
-counts. Redundant counts ("caps": how often a color and a pair of neighbors occur in every
+counts, for a `board.Board` as well. Redundant counts ("caps": how often a color and a pair of neighbors occur in every
 packing) can be left out. Every peer reads this, so all of them solve the same thing.
 """
 
 import random
 from dataclasses import dataclass, field
 from itertools import product
+
+from board import Board
 
 
 @dataclass(frozen=True)
@@ -62,6 +64,19 @@ class Problem:
         turns = range(self.order)
         return min(tuple((s + turn) % self.colors for s in shown) for turn in turns)
 
+    def fixed(self):
+        """Labels whose color is given."""
+        origin = self.sides(0, 0) if self.pinned else []
+        return {v: self.color(0, power) for v, power in origin}
+
+    def caps(self):
+        """Labels, and how often each color occurs among them."""
+        if self.order > 1:
+            return []
+        size = self.side**2
+        planes = range(0, self.labels(), size)
+        return [(list(range(p, p + size)), [self.colors**3] * self.colors) for p in planes]
+
     def check(self, labels):
         """Whether labels, one color for each variable, are a packing: from the definition."""
         seen = set()
@@ -75,7 +90,7 @@ class Problem:
 class Model:
     """0/1 variables 1, 2, ...; `point[v][c]` says that label v has color c."""
 
-    problem: Problem
+    problem: Problem | Board
     caps: bool
     seed: int = 0
     variables: int = 0
@@ -99,8 +114,7 @@ class Model:
                 used.setdefault(p.orbit(shown), []).append(tile)
             self.blocks.append(used_here)
         self.exactly_one += used.values()
-        if p.pinned:
-            self.true = [self.point[v][p.color(0, power)] for v, power in p.sides(0, 0)]
+        self.true = [self.point[v][color] for v, color in p.fixed().items()]
         if self.caps:
             self.add_caps()
         self.exactly_one += self.blocks
@@ -118,11 +132,8 @@ class Model:
 
     def add_caps(self):
         p, colors = self.problem, range(self.problem.colors)
-        if p.order == 1:
-            planes = range(len(self.point) // p.side**2)
-            for plane, color in product(planes, colors):
-                points = self.point[plane * p.side**2 : (plane + 1) * p.side**2]
-                self.counts.append(([each[color] for each in points], p.colors**3))
+        for labels, numbers in p.caps():
+            self.counts += [([self.point[v][c] for v in labels], numbers[c]) for c in colors]
         if p.kind != "corner":
             return
         for south, east in [(0, 1), (1, 0)]:
@@ -165,4 +176,18 @@ PROBLEMS = {
     "B5": Problem("corner", 3, all=False),
     "B6": Problem("corner", 4, step=4, all=False),
     "B6u": Problem("corner", 4, all=False),
+    "MM": Board(3, 6, 4),
+    "MMp": Board(3, 6, 4, pin=(0, 2)),
+}
+# Small enough to try all labels: `check.py` does, and asks every peer.
+TINY = {
+    "corner": Problem("corner", 2),
+    "quotient": Problem("corner", 2, step=2),
+    "free": Problem("corner", 2, pinned=False),
+    "lying": Board(2, 3, 2),
+    "standing": Board(2, 2, 3),
+    "row": Board(2, 6, 1, border=None),
+    "open": Board(2, 3, 2, border=None),
+    "pinned": Board(2, 3, 2, border=None, pin=(0, 1)),
+    "framed": Board(2, 3, 2, border=(0, 0, 1, 0, 1, 0, 0, 1, 1, 0)),
 }

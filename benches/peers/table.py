@@ -1,49 +1,73 @@
-"""Runs every row for tilepack and its peers and prints one table in markdown.
+"""Runs every row for tilepack and its peers and prints its tables in markdown.
 
-Every run is a process of its own that is ended, with all it started, at the time-out, which is CPU
-time, so that another load on the machine ends nothing (but ten times as much on the clock does).
 tilepack's time is that of its whole process, on one thread; a peer's begins when its solver has the model.
-A cell is the median over the repetitions (rows that ask for a first packing: over the seeds),
-for the better encoding; a time-out counts as longer than any time.
+A line is the median over the repetitions (rows that ask for a first packing: over the seeds),
+for the better encoding, with what the others took; a time-out counts as longer than any time.
+What times out twice is not run again. What is missing, fails or answers wrongly gets a line that
+says so, and the rest goes on.
 """
 
 import argparse
 import datetime
 import json
 import os
-import resource
-import signal
 import subprocess
 import sys
 import tempfile
-import time
-from importlib.metadata import version
+from dataclasses import dataclass
+from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
 from shutil import which
+
+import alone
+from check import check
+from runs import Failed, run, seconds
 
 HERE = Path(__file__).resolve().parent
 ROOT = HERE.parent.parent
 TILEPACK = ROOT / "target/release/tilepack"
-PIN = "kind=wang colors=2\n0 . . .\n. . . .\n. . . .\n. . . .\n"
+PINS = {
+    "PIN_WANG": "kind=wang colors=2\n0 . . .\n. . . .\n. . . .\n. . . .\n",
+    "PIN_BOARD": "topology=rectangle border=0 rotations\n. . 0/0 . . .\n" + ". . . . . .\n" * 3,
+}
 
 CORNER_3 = "find --kind corner --colors 3 --values random"
 CORNER_4 = "find --kind corner --colors 4"
-# Row: what it is, our commands, whether it has seeds, the number all must give.
+MACMAHON = ("count --kind wang --colors 3 --set data/macmahon.json --size 6x4 "
+            "--topology rectangle --border 0 --rotations")
+
+
+@dataclass(frozen=True)
+class Row:
+    what: str
+    commands: dict  # ours
+    answer: int  # the number all must give; 1 for a first packing
+    seeded: bool = False
+    # An easier row: of every peer only the encoding that was best there is run here.
+    after: str = ""
+    # The long time-out, one run, and only what should end in time, from the easier row's seconds
+    # for each packing.
+    long: bool = False
+
+
 ROWS = {
-    "B1": ("Wang C=2, all, no symmetry broken", {"plain": "count --kind wang --colors 2 --plain"},
-           False, 203520),
-    "B2": ("Wang C=2, all, tile 0 pinned", {"plain": "count --kind wang --colors 2 --pin PIN"},
-           False, 12720),
-    "B4": ("corner C=3, a[i][j+3] = a[i][j]+1, all, tile 0 pinned",
-           {"caps": "count --kind corner --colors 3 --automorphism 3,0:+1"}, False, 3744),
-    "B5": ("corner C=3, first", {"search": f"{CORNER_3} --method search",
-                                 "beam": "find --kind corner --colors 3 --method beam"}, True, 1),
-    "B6": ("corner C=4, a[i][j+4] = a[i][j]+1, first",
-           {"search": f"{CORNER_4} --method search --values random --automorphism 4,0:1,2,3,0"}, True, 1),
-    "B6u": ("corner C=4, unrestricted, first",
-            {"search": f"{CORNER_4} --method search --values random",
-             "beam": f"{CORNER_4} --method beam"}, True, 1),
+    "B1": Row("Wang C=2, all, no symmetry broken", {"plain": "count --kind wang --colors 2 --plain"}, 203520),
+    "B2": Row("Wang C=2, all, tile 0 pinned", {"plain": "count --kind wang --colors 2 --pin PIN_WANG"}, 12720),
+    "B4": Row("corner C=3, a[i][j+3] = a[i][j]+1, all, tile 0 pinned",
+              {"caps": "count --kind corner --colors 3 --automorphism 3,0:+1"}, 3744),
+    "B5": Row("corner C=3, first", {"search": f"{CORNER_3} --method search",
+                                    "beam": "find --kind corner --colors 3 --method beam"}, 1, True),
+    "B6": Row("corner C=4, a[i][j+4] = a[i][j]+1, first",
+              {"search": f"{CORNER_4} --method search --values random --automorphism 4,0:1,2,3,0"}, 1, True),
+    "B6u": Row("corner C=4, unrestricted, first",
+               {"search": f"{CORNER_4} --method search --values random",
+                "beam": f"{CORNER_4} --method beam"}, 1, True, after="B6"),
+    "MMp": Row("MacMahon's 24 squares, 6 x 4, border 0, all, square 0 in row 0, column 2",
+               {"caps": f"{MACMAHON} --pin PIN_BOARD"}, 1908),
+    "MM": Row("MacMahon's 24 squares, 6 x 4, border 0, all, no symmetry broken", {"caps": MACMAHON}, 106624,
+              after="MMp", long=True),
 }
+ALONE = ["B7", "B8"]
 # Peer: its name in the table, its encodings.
 PEERS = {
     "dlx": ("exact-cover", ["plain", "caps"]),
@@ -53,50 +77,37 @@ PEERS = {
     "gecode": ("Gecode", ["plain", "caps"]),
 }
 NAMES = {("dlx", "plain"): "tiles first", ("dlx", "caps"): "sides first"}
+PACKAGES = {"dlx": "exact-cover", "cpsat": "ortools", "asp": "clingo", "cadical": "python-sat"}
 
 
-def run(command, limit):
-    """The output of a command and its CPU and wall time, or None at the time-out."""
-    with tempfile.TemporaryFile() as out:
-        begin = time.perf_counter()
-        cpu = int(limit) + 1
-        process = subprocess.Popen(command, stdout=out, stderr=subprocess.DEVNULL, start_new_session=True,
-                                   preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_CPU, (cpu, cpu)))
-        while True:
-            done, status, used = os.wait4(process.pid, os.WNOHANG)
-            wall = time.perf_counter() - begin
-            if done:
-                break
-            if wall > 10 * limit:
-                os.killpg(process.pid, signal.SIGKILL)
-                os.wait4(process.pid, 0)
-                return None
-            time.sleep(0.0005 if wall < 0.1 else 0.01)
-        process.returncode = status
-        out.seek(0)
-        if status != 0:
-            killed = os.WIFSIGNALED(status) and os.WTERMSIG(status) in (signal.SIGKILL, signal.SIGXCPU)
-            late = killed or used.ru_utime + used.ru_stime > limit
-            return None if late else sys.exit(f"failed: {' '.join(map(str, command))}")
-        return out.read().decode(), used.ru_utime + used.ru_stime, wall
+def missing(peer):
+    """Why a peer cannot be run, or nothing."""
+    if peer == "gecode":
+        return "" if which("minizinc") else "no minizinc"
+    try:
+        version(PACKAGES[peer])
+        return ""
+    except PackageNotFoundError:
+        return f"{PACKAGES[peer]} is not installed"
 
 
-def ours(row, options, seed, limit, pin):
-    options = options.replace("PIN", pin).split() + ["--threads", "1", "--json", "--quiet"]
-    done = run([TILEPACK, *options, "--seed", str(seed)], limit)
+def ours(row, options, seed, limit, pins):
+    words = [pins.get(word, word) for word in options.split()]
+    words += ["--threads", "1", "--json", "--quiet", "--seed", str(seed)]
+    done = run([TILEPACK, *words], limit, cwd=ROOT)
     if done is None:
         return None
     text, cpu, wall = done
     object = json.loads(text)
     answer = object.get("up_to_translation") if row == "B4" else object.get("solutions")
     answer = int(answer) if answer else int(object["result"] == "found")
-    return {"answer": answer, "cpu": cpu, "wall": wall}
+    return {"answer": answer, "cpu": cpu, "wall": wall} if cpu <= limit else None
 
 
 def theirs(row, peer, encoding, seed, limit):
-    # Making the model is not part of the time, but must end, too.
-    done = run([sys.executable, HERE / f"{peer}.py", row, encoding, str(seed)], limit + 5)
-    result = json.loads(done[0]) if done else None
+    # Making the model is not part of the time, but must end, too; the peer ends itself earlier.
+    done = run([sys.executable, HERE / f"{peer}.py", row, encoding, str(seed), str(limit)], 2 * limit + 10)
+    result = json.loads(done[0]) if done and done[0].strip() else None
     return result if result and result["cpu"] <= limit else None
 
 
@@ -106,103 +117,187 @@ def rank(results, share):
     return results[min(len(results) - 1, int(share * len(results)))]
 
 
-def seconds(time):
-    return f"{time:.3f}" if time < 10 else f"{time:.0f}"
+@dataclass
+class Line:
+    name: str
+    how: str
+    results: list
+    failed: str = ""
+
+    @property
+    def out(self):
+        return self.results.count(None)
+
+    @property
+    def middle(self):
+        return rank(self.results, 0.5) if self.results and not self.failed else None
+
+    @property
+    def order(self):
+        """Better ones first: by time, then time-outs, then failures."""
+        return bool(self.failed), self.middle["cpu"] if self.middle else float("inf"), self.out
+
+    def short(self):
+        if self.failed:
+            return f"{self.how}: {self.failed}"
+        return f"{self.how}: {seconds(self.middle['cpu']) if self.middle else 'time-out'}"
+
+    def text(self, seeded, best, limit, others):
+        """The line of the table; `best` is our time, `others` the other encodings."""
+        if self.failed:
+            return f"| {self.name} | {self.how} | {self.failed} | | | {'; '.join(o.short() for o in others)} |"
+        middle, notes = self.middle, []
+        if seeded and middle:
+            tenth = rank(self.results, 0.9)
+            notes.append(f"90 %: {seconds(tenth['cpu']) if tenth else 'time-out'}")
+        if self.out:
+            notes.append(f"{self.out} of {len(self.results)} timed out")
+        notes += [other.short() for other in others]
+        cells = ["time-out", "time-out", f"> {limit / best:.1f}" if best else ""]
+        if middle:
+            ratio = f"{middle['cpu'] / best:.1f}" if best else ""
+            cells = [seconds(middle["cpu"]), seconds(middle["wall"]), ratio]
+        return f"| {self.name} | {self.how} | {' | '.join(cells)} | {'; '.join(notes)} |"
 
 
-def measure(once, seeds, repetitions, limit, expected, label):
-    """The results of all runs, or those up to the time-outs that decide the median."""
-    results = []
-    runs = len(seeds) if seeds else repetitions
-    for i in range(runs):
-        result = once(seeds[i] if seeds else 0)
-        if result and result["answer"] != expected:
-            sys.exit(f"{label}: {result['answer']} instead of {expected}")
-        results.append(result)
-        print(f"{label} {i}: {result}", file=sys.stderr, flush=True)
-        # The median is a time-out, whatever follows.
-        if not seeds and result is None or 2 * results.count(None) > runs:
-            break
-    return results
+class Table:
+    def __init__(self, args, pins):
+        self.args, self.pins = args, pins
+        self.wrong = False
+        self.best = {}  # (row, peer): the line of its better encoding
 
+    def measure(self, name, how, once, row, runs, label):
+        """A line from all runs, or those up to the time-outs that end them."""
+        line = Line(name, how, [])
+        for seed in runs:
+            try:
+                result = once(seed)
+            except (Failed, ValueError, KeyError) as error:
+                line.failed = f"failed: {error}"
+                print(f"{label} {seed}: {line.failed}", file=sys.stderr, flush=True)
+                break
+            print(f"{label} {seed}: {result}", file=sys.stderr, flush=True)
+            line.results.append(result)
+            if result and result["answer"] != row.answer:
+                self.wrong = True
+                line.failed = f"WRONG: {result['answer']} instead of {row.answer}"
+                break
+            # Without seeds the next run would be the same one; with them, twice is enough.
+            if line.out == (2 if row.seeded else 1):
+                break
+        return line
 
-def line(name, how, results, runs, best):
-    out = results.count(None)
-    middle = rank(results, 0.5) if 2 * out <= len(results) else None
-    late = f", {out} of {len(results)} timed out" if out else ""
-    if middle is None:
-        return f"| {name} | {how} | time-out | time-out | | {late[2:]} |", None
-    tenth = rank(results, 0.9)
-    spread = "" if not runs else f"90 %: {seconds(tenth['cpu']) if tenth else 'time-out'}"
-    ratio = f"{middle['cpu'] / best:.1f}" if best else "1"
-    note = ", ".join(filter(None, [spread, late[2:]]))
-    text = f"| {name} | {how} | {seconds(middle['cpu'])} | {seconds(middle['wall'])} | {ratio} | {note} |"
-    return text, middle["cpu"]
-
-
-def table(row, args, pin):
-    what, commands, seeded, expected = ROWS[row]
-    print(f"\n**{row}** {what}; checksum {expected}\n")
-    print("| solver | how | CPU s | wall s | times ours | |\n|---|---|---|---|---|---|", flush=True)
-    seeds = range(1, args.seeds + 1) if seeded else None
-    all = [("tilepack", how, lambda seed, o=options: ours(row, o, seed, args.timeout, pin))
-           for how, options in commands.items()]
-    best = None
-    for name, how, once in all:
-        results = measure(once, seeds, args.repetitions, args.timeout, expected, f"{row} {name} {how}")
-        text, cpu = line(name, how, results, seeds, None)
-        print(text, flush=True)
-        best = best or cpu
-    for peer, (name, encodings) in PEERS.items():
-        if args.peers and peer not in args.peers:
-            continue
-        if peer == "gecode" and not which("minizinc"):
-            print(f"| {name} | skipped: no minizinc | | | | |")
-            continue
+    def peer(self, key, row, peer, runs, limit):
+        """The lines of a peer, best first, or why there is none."""
+        name, encodings = PEERS[peer]
+        if missing(peer):
+            return f"skipped: {missing(peer)}"
+        encodings = [e for e in encodings if e in (self.args.encodings or encodings)]
+        before = self.best.get((row.after, peer))
+        if before:
+            if row.long and not before.middle:
+                return f"not run: {before.failed or 'time-out'} on {row.after}"
+            factor = row.answer / ROWS[row.after].answer
+            if row.long and before.middle["cpu"] * factor > limit:
+                return f"not run: {seconds(before.middle['cpu'])} s on {row.after} times {factor:.0f} packings"
+            encodings = [e for e in encodings if NAMES.get((peer, e), e) == before.how]
         lines = []
-        for how in [e for e in encodings if e in (args.encodings or encodings)]:
-            once = lambda seed: theirs(row, peer, how, seed, args.timeout)
-            label = f"{row} {name} {how}"
-            results = measure(once, seeds, args.repetitions, args.timeout, expected, label)
-            text, cpu = line(name, NAMES.get((peer, how), how), results, seeds, best)
-            lines.append((cpu or float("inf"), results.count(None) / len(results), text))
-        if lines:
-            print(min(lines)[2], flush=True)
+        for how in encodings:
+            once = lambda seed: theirs(key, peer, how, seed, limit)
+            lines.append(self.measure(name, NAMES.get((peer, how), how), once, row, runs, f"{key} {name} {how}"))
+        return sorted(lines, key=lambda line: line.order)
+
+    def row(self, key):
+        row, args = ROWS[key], self.args
+        limit = args.long if row.long else args.timeout
+        runs = range(1, args.seeds + 1) if row.seeded else [0] * (1 if row.long else args.repetitions)
+        told = f"; time-out {limit:.0f} CPU s, one run" if row.long else ""
+        print(f"\n**{key}** {row.what}; checksum {row.answer}{told}\n")
+        print("| solver | how | CPU s | wall s | times ours | |\n|---|---|---|---|---|---|", flush=True)
+        best = None
+        for how, options in row.commands.items():
+            once = lambda seed: ours(key, options, seed, limit, self.pins)
+            line = self.measure("tilepack", how, once, row, runs, f"{key} tilepack {how}")
+            print(line.text(row.seeded, best, limit, []), flush=True)
+            best = best or (line.middle and line.middle["cpu"])
+        for peer in args.peers or PEERS:
+            lines = self.peer(key, row, peer, runs, limit)
+            if isinstance(lines, str):
+                print(f"| {PEERS[peer][0]} | {lines} | | | | |", flush=True)
+            elif lines:
+                self.best[key, peer] = lines[0]
+                print(lines[0].text(row.seeded, best, limit, lines[1:]), flush=True)
+
+    def check(self):
+        def answer(name, peer, how):
+            try:
+                result = theirs(name, peer, how, 0, 60)
+                return result["answer"] if result else "time-out"
+            except (Failed, ValueError, KeyError) as error:
+                return str(error)
+        there = {peer: PEERS[peer] for peer in self.args.peers or PEERS if not missing(peer)}
+        self.wrong = not check(there, answer) or self.wrong
+
+
+def first_line(command):
+    try:
+        return subprocess.run(command, capture_output=True, text=True).stdout.strip()
+    except OSError:
+        return ""
 
 
 def machine():
     model = next((l.split(":")[1].strip() for l in open("/proc/cpuinfo") if l.startswith("model name")), "?")
-    versions = [f"{package} {version(package)}" for package in
-                ("exact-cover", "ortools", "clingo", "python-sat")]
-    if which("minizinc"):
-        text = subprocess.run(["minizinc", "--solvers"], capture_output=True, text=True).stdout
-        versions += [next((l.split("(")[0].strip() for l in text.splitlines() if "Gecode 6" in l), "")]
-    ours = subprocess.run([TILEPACK, "--version"], capture_output=True, text=True).stdout.strip()
-    return f"{model}, {os.cpu_count()} cores; {ours}; {', '.join(versions)}; Python {sys.version.split()[0]}"
+    versions = [f"{package} {version(package)}" for peer, package in PACKAGES.items() if not missing(peer)]
+    solvers = first_line(["minizinc", "--solvers"]).splitlines()
+    versions += [l.split("(")[0].strip() for l in solvers if "Gecode 6" in l][:1]
+    versions += [f"Python {sys.version.split()[0]}"]
+    tilepack = first_line([TILEPACK, "--version"]) or "no tilepack"
+    return f"{model}, {os.cpu_count()} cores; {tilepack}; {', '.join(versions)}"
 
 
-def main():
+def arguments():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("rows", nargs="*", help="rows, such as B1 [default: all]")
-    parser.add_argument("--quick", action="store_true", help="1 repetition, 3 seeds, 10 s")
-    parser.add_argument("--repetitions", type=int, default=5)
-    parser.add_argument("--seeds", type=int, default=20)
-    parser.add_argument("--timeout", type=float, default=60, help="CPU seconds of a run")
+    parser.add_argument("--check", action="store_true", help="only check the encodings on tiny problems")
+    parser.add_argument("--quick", action="store_true", help="1 repetition, 3 seeds, 10 s, also for MM")
+    parser.add_argument("--repetitions", type=int, help="of rows without seeds [default: 5]")
+    parser.add_argument("--seeds", type=int, help="[default: 20]")
+    parser.add_argument("--timeout", type=float, help="CPU seconds of a run [default: 60]")
+    parser.add_argument("--long", type=float, help="CPU seconds of a run of MM [default: 1800]")
     parser.add_argument("--peers", nargs="*", choices=PEERS, help="these peers only")
     parser.add_argument("--encodings", nargs="*", help="these encodings only, such as plain")
     args = parser.parse_args()
-    if args.quick:
-        args.repetitions, args.seeds, args.timeout = 1, 3, 10
-    wrong = set(args.rows) - set(ROWS)
+    defaults = {"repetitions": (5, 1), "seeds": (20, 3), "timeout": (60, 10), "long": (1800, 10)}
+    for name, (usual, quick) in defaults.items():
+        if getattr(args, name) is None:
+            setattr(args, name, quick if args.quick else usual)
+    wrong = set(args.rows) - set(ROWS) - set(ALONE)
     if wrong:
-        parser.error(f"no such row: {', '.join(wrong)}")
+        parser.error(f"no such row: {', '.join(sorted(wrong))}")
+    return args
+
+
+def main():
+    args = arguments()
+    rows = args.rows or [*ROWS, *ALONE]
     print(f"{datetime.date.today()}; {machine()}")
-    print(f"\nRepetitions {args.repetitions}, seeds {args.seeds}, time-out {args.timeout:.0f} CPU s.")
-    with tempfile.NamedTemporaryFile("w", suffix=".txt") as pin:
-        pin.write(PIN)
-        pin.flush()
-        for row in args.rows or ROWS:
-            table(row, args, pin.name)
+    with tempfile.TemporaryDirectory() as folder:
+        pins = {name: Path(folder) / f"{name}.txt" for name in PINS}
+        for name, path in pins.items():
+            path.write_text(PINS[name])
+        table = Table(args, pins)
+        if args.check:
+            table.check()
+        else:
+            print(f"\nRepetitions {args.repetitions}, seeds {args.seeds}, time-out {args.timeout:.0f} CPU s.")
+            for key in [row for row in rows if row in ROWS]:
+                table.row(key)
+            if "B7" in rows:
+                alone.b7(TILEPACK)
+            if "B8" in rows:
+                alone.b8(TILEPACK, args.repetitions)
+    sys.exit(table.wrong)
 
 
 main()
