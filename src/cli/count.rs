@@ -123,7 +123,7 @@ impl Told<'_> {
             (Some(_), ..) => "",
             (None, true, _) if done.stopped.is_none() => ", the sizes of the orbits add up to it",
             (None, _, true) => ", no symmetry removed",
-            _ if job.reduction().is_none() => ", no symmetry to remove",
+            _ if job.reduction().is_none() && !job.by_lines => ", no symmetry to remove",
             (None, ..) => ", symmetry removed and multiplied back exactly",
         };
         format!("{set}, {torus}; {how}{checked}")
@@ -134,8 +134,8 @@ impl Told<'_> {
         match self.job.by_lines {
             false => self.done.effort(),
             true => {
-                let steps = describe::number(self.done.standing.orbits, "half");
-                format!("{steps} looked up, {}", self.done.effort())
+                let steps = describe::number(self.done.standing.orbits, "step");
+                format!("{steps}, {}", self.done.effort())
             }
         }
     }
