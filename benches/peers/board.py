@@ -6,6 +6,7 @@ columns. A `Board` answers the questions of `problem.Problem`, so the same `Mode
 """
 
 from dataclasses import dataclass
+from functools import cache
 from itertools import product
 
 
@@ -41,14 +42,17 @@ class Board:
         """The square of a tile: the first of its rotations."""
         return min(shown[turn:] + shown[:turn] for turn in range(4))
 
+    @cache
     def squares(self):
         return sorted({self.orbit(shown) for shown in product(range(self.colors), repeat=4)})
 
+    @cache
     def outer(self):
         """The labels of the border: those of one cell only."""
         sides = [v for cell in self.cells() for v, _ in self.sides(*cell)]
         return [v for v in range(self.labels()) if sides.count(v) == 1]
 
+    @cache
     def fixed(self):
         """Labels whose color is given."""
         outer = self.outer() if self.border is not None else []
