@@ -268,9 +268,10 @@ pub enum CountMethod {
     Search,
     /// The BEST theorem: rings of any set of dominoes
     Formula,
-    /// Corner tiles on a torus with short rows or columns: two halves of the torus that meet in
-    /// the middle, counted without looking at any packing as a whole
-    Rows,
+    /// Two halves that meet in the middle, counted without looking at any packing as a whole:
+    /// corner tiles on a torus with short rows or columns; up to 64 Wang tiles, or squares that
+    /// may be turned, on any board
+    Meet,
 }
 
 /// All packings.

@@ -22,7 +22,7 @@ pub fn run(args: &CountArgs) -> anyhow::Result<Exit> {
     }
     let task = problem::search_task(&args.problem, &args.search)?;
     let question = Question::Count { up_to_symmetry: args.up_to_symmetry };
-    let by_lines = args.method == CountMethod::Rows;
+    let by_lines = args.method == CountMethod::Meet;
     let job = Job { reduce: !args.search.plain, by_lines, ..Job::new(task, question) };
     job.check()?;
     let request = Request { json: args.json, ..Request::default() };
@@ -154,7 +154,7 @@ impl Told<'_> {
         fields.extend(done.fields());
         let method = match (reason, job.by_lines) {
             (Some(_), _) => "argument",
-            (None, true) => "rows",
+            (None, true) => "meet",
             (None, false) => "search",
         };
         if job.by_lines {

@@ -137,7 +137,7 @@ pub fn nothing(task: &Task) -> String {
 
 /// How packings are counted: `search`.
 pub fn method(job: &Job) -> &'static str {
-    if job.by_lines { "meeting in the middle over rows" } else { "search" }
+    if job.by_lines { "meeting in the middle" } else { "search" }
 }
 
 /// `1 tile`, `2 tiles`.

@@ -26,7 +26,7 @@ const METHOD: &str = "formula (BEST theorem)";
 /// # Errors
 /// Bad input, and a formula asked for where there is none.
 pub fn answer(args: &CountArgs) -> anyhow::Result<Option<Exit>> {
-    if matches!(args.method, CountMethod::Search | CountMethod::Rows) {
+    if matches!(args.method, CountMethod::Search | CountMethod::Meet) {
         return Ok(None);
     }
     let asked = args.method == CountMethod::Formula;

@@ -118,10 +118,10 @@ same number.
 Rings of dominoes are the Eulerian circuits of a graph, and the BEST theorem counts those of any \
 set at once; larger sets are counted so unless an option asks for a search.
 
-Where rows or columns are short, --method rows counts packings of corner tiles without looking at \
+Where rows or columns are short, --method meet counts packings of corner tiles without looking at \
 them one by one: for every choice of row 0 and of a row half way, the halves between them are \
 matched by the tiles they use. Nodes are then these choices, and steps the halves looked up. It \
-is saved, resumed and divided (plan --rows) like any other count.
+is saved, resumed and divided (plan --meet) like any other count.
 
 Examples:
   tilepack count --kind corner --colors 2
@@ -129,12 +129,12 @@ Examples:
   tilepack count --kind domino --colors 4
   tilepack count --kind domino --colors 12 --method formula
   tilepack count --kind corner --colors 3 --automorphism 3,0:+1
-  tilepack count --kind corner --colors 3 --automorphism 3,0:+1 --method rows
+  tilepack count --kind corner --colors 3 --automorphism 3,0:+1 --method meet
   tilepack count --kind corner --colors 3 --time-limit 1m       # too many to count: at least ...
 
 JSON fields (--json): result (complete or stopped), solutions, fundamental (with \
 --up-to-symmetry), up_to_translation (null where translates may coincide), nodes, seconds, \
-method, reason, stopped_by, and with --method rows steps. Numbers of packings, nodes and steps \
+method, reason, stopped_by, and with --method meet steps. Numbers of packings, nodes and steps \
 are strings of digits; when stopped they are lower bounds.";
 
 /// Examples for `list`.

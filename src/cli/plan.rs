@@ -24,7 +24,7 @@ pub fn run(args: &PlanArgs) -> anyhow::Result<Exit> {
         true => Question::List { up_to_symmetry },
         false => Question::Count { up_to_symmetry },
     };
-    let job = Job { reduce: !args.plain, by_lines: args.rows, ..Job::new(task, question) };
+    let job = Job { reduce: !args.plain, by_lines: args.meet, ..Job::new(task, question) };
     job.check()?;
     check_writable(&args.output)?;
     if let Some(reason) = job.task.impossible() {

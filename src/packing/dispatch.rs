@@ -6,6 +6,7 @@
 
 use super::board::Planned;
 use super::corner::Corner;
+use super::halves::Halves;
 use super::last_lines::LastLines;
 use super::reduction::Reduction;
 use super::rows::Rows;
@@ -35,9 +36,10 @@ pub trait Visitor {
 /// # Errors
 /// What the visitor reports.
 pub fn with_job<V: Visitor>(job: &Job, visitor: V) -> Result<V::Output, SolveError> {
-    match job.by_lines {
-        true => visitor.visit(Some(Rows::new(&job.task))),
-        false => with_problem(&job.task, &job.reduction(), visitor),
+    match (job.by_lines, job.task.set.kind()) {
+        (true, Kind::Wang) => visitor.visit(Some(Halves::new(&job.task))),
+        (true, _) => visitor.visit(Some(Rows::new(&job.task))),
+        (false, _) => with_problem(&job.task, &job.reduction(), visitor),
     }
 }
 

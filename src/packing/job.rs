@@ -5,12 +5,14 @@
 //! making another search (threads, limits, what is shown) is in [`Settings`](super::Settings).
 
 use super::Task;
+use super::halves;
 use super::reduction::Reduction;
 use super::rows::{self, RowsError, line::Frame};
 use super::sinks::{Forms, Purpose};
 use super::solve::SolveError;
 use crate::search::{Part, Values};
 use crate::symmetry::{BoardCanonizer, Canonizer, Group};
+use crate::tiles::Kind;
 use crate::torus::Order;
 
 /// What is asked about a task.
@@ -43,7 +45,8 @@ pub struct Job {
     pub reduce: bool,
     /// Only this part of the search.
     pub part: Option<Part>,
-    /// Packings are counted by lines ([`super::rows`]) instead of one by one.
+    /// Packings are counted by two halves that meet ([`super::rows`], [`super::halves`]) instead
+    /// of one by one.
     pub by_lines: bool,
 }
 
@@ -69,7 +72,8 @@ impl Job {
 
     /// The order in which cells are visited; of a count by lines, how these lie.
     pub fn order(&self) -> Order {
-        match (self.by_lines, Frame::of(&self.task).transposed) {
+        let lines = self.by_lines && self.task.set.kind() == Kind::Corner;
+        match (lines, Frame::of(&self.task).transposed) {
             (false, _) => self.task.visiting_order(),
             (true, false) => Order::Row,
             (true, true) => Order::Column,
@@ -92,7 +96,10 @@ impl Job {
             if !self.reduce {
                 return Err(RowsError::Asked("symmetry that is not removed").into());
             }
-            rows::check(&self.task)?;
+            match self.task.set.kind() {
+                Kind::Wang => halves::check(&self.task)?,
+                _ => rows::check(&self.task)?,
+            }
         }
         Ok(())
     }

@@ -31,6 +31,7 @@ mod corner_tables;
 pub mod dispatch;
 pub mod estimate;
 pub mod frontier;
+pub mod halves;
 mod impossible;
 pub mod job;
 pub mod last_lines;

@@ -6,12 +6,13 @@
 //! sizes of their orbits must add up to the same number, or the count is refused.
 
 use super::TaskError;
+use super::halves::HalvesError;
 use super::job::{Job, Question};
 use super::rows::{Rows, RowsError, line::Frame};
 use super::standing::{Keeper, Standing, run};
 use crate::search::{Effort, Limits, Progress, TrailError};
 use crate::symmetry::{Group, GroupError, orbits};
-use crate::tiles::TileError;
+use crate::tiles::{Kind, TileError};
 use num_bigint::BigUint;
 use rayon::prelude::*;
 
@@ -85,6 +86,9 @@ pub enum SolveError {
     /// The packings cannot be counted by lines.
     #[error(transparent)]
     Rows(#[from] RowsError),
+    /// The packings cannot be counted by halves.
+    #[error(transparent)]
+    Halves(#[from] HalvesError),
     /// The symmetries cannot be had.
     #[error(transparent)]
     Group(#[from] GroupError),
@@ -203,7 +207,10 @@ pub fn counted(job: &Job, standing: &Standing) -> Result<Counted, SolveError> {
 /// The number of packings counted by lines; of a part or a count not yet complete, as many as it
 /// shows there are.
 fn by_lines(job: &Job, standing: &Standing) -> Result<BigUint, SolveError> {
-    let unit = BigUint::from(Rows::unit(Frame::of(&job.task).lines));
+    let unit = BigUint::from(match job.task.set.kind() {
+        Kind::Corner => Rows::unit(Frame::of(&job.task).lines),
+        _ => 1,
+    });
     let packings = &standing.orbit_sizes / &unit;
     let whole = standing.is_complete() && job.part.is_none();
     if whole && &packings * &unit != standing.orbit_sizes {

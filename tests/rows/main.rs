@@ -2,6 +2,8 @@
 
 #![allow(clippy::unwrap_used)]
 
+mod halves;
+
 use num_bigint::BigUint;
 use tilepack::packing::{Job, Question, Settings, Task, count, rows};
 use tilepack::symmetry::Automorphism;

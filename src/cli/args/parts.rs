@@ -19,10 +19,9 @@ pub struct PlanArgs {
     /// Search without removing symmetry first: slow, for checking; same answer
     #[arg(long, help_heading = "Search")]
     pub plain: bool,
-    /// Count by meeting in the middle over rows or columns: corner tiles on a torus with a short
-    /// side
+    /// Count as --method meet does, by two halves that meet in the middle
     #[arg(long, conflicts_with_all = ["list", "up_to_symmetry", "plain"], help_heading = "Search")]
-    pub rows: bool,
+    pub meet: bool,
     /// A list of the packings instead of their number
     #[arg(long, help_heading = "Search")]
     pub list: bool,

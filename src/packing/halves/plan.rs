@@ -1,0 +1,248 @@
+//! What happens at each cell of a sweep, prepared beforehand.
+//!
+//! Cells are filled along the short side, so that few colors are open at a time. Every open
+//! place has a slot, a few bits of a word; a cell reads the slots of the sides that neighbors
+//! have decided, and writes those of the sides that it decides for others.
+
+use crate::packing::Task;
+use crate::tiles::{Kind, TileId, turn};
+use crate::torus::{Cell, Order};
+use std::collections::BTreeMap;
+
+/// A tile in a cell: a square and how it is turned.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Laid {
+    /// The bits of its square and of those that look the same: one more of them is used.
+    pub(super) class: u64,
+    /// What it writes into the slots.
+    pub(super) shown: u64,
+}
+
+/// A cell to be filled.
+#[derive(Debug, Clone)]
+pub(super) struct Stage {
+    /// The slots of sides already decided, from the first side on.
+    reads: Vec<usize>,
+    bits: usize,
+    /// The slots that are read or written.
+    cleared: u64,
+    /// By the colors read: the tiles that fit.
+    lists: Vec<Vec<Laid>>,
+    /// For each color that is counted: sides prescribed in cells still empty.
+    pub(super) awaited: [u16; COUNTED],
+    /// The slots in use afterwards.
+    pub(super) open: Vec<usize>,
+}
+
+/// Colors whose sides are counted.
+pub(super) const COUNTED: usize = 8;
+
+/// A sweep from either end.
+#[derive(Debug)]
+pub(super) struct Plan {
+    /// The first half of the cells, and the others from the last one on.
+    pub(super) halves: [Vec<Stage>; 2],
+    pub(super) bits: usize,
+    /// By class of squares: its bits, as many as there are squares, side by side.
+    classes: Vec<u64>,
+    /// By bit of a set of squares: how many sides of each color that square has; nothing where
+    /// tiles are not turned, or outer sides are free.
+    pub(super) sides: Option<Vec<[u16; COUNTED]>>,
+    slots: usize,
+}
+
+impl Plan {
+    pub(super) fn new(task: &Task) -> Self {
+        let colors = task.set.colors().largest();
+        let bits = (usize::BITS - (colors - 1).leading_zeros()).max(1) as usize;
+        let (tiles, classes) = tiles(task);
+        let (edges, shape) = (task.edges(), task.shape);
+        let mut given = edges.given(&task.board.border);
+        for (given, pin) in given.iter_mut().zip(task.pins.labels()) {
+            *given = given.or(*pin);
+        }
+        let order = if shape.height() <= shape.width() { Order::Column } else { Order::Row };
+        let cells = order.cells(shape);
+        let mut meets = vec![0u16; edges.labels()];
+        for &cell in &cells {
+            edges.sides(cell).into_iter().for_each(|place| meets[place] += 1);
+        }
+        let bounded = edges.outer().all(|(_, _, place)| given[place].is_some());
+        let counts = task.board.rotations && bounded;
+        let sides = counts.then(|| {
+            let mut sides = vec![[0; COUNTED]; super::MOST_TILES];
+            for (shown, class) in &tiles {
+                for bit in bits_of(classes[*class]) {
+                    sides[bit] = [0; COUNTED];
+                    shown.iter().filter(|&&c| usize::from(c) < COUNTED).for_each(|&c| {
+                        sides[bit][usize::from(c)] += 1;
+                    });
+                }
+            }
+            sides
+        });
+        let mut plan = Self { halves: Default::default(), bits, classes, sides, slots: 0 };
+        let middle = cells.len().div_ceil(2);
+        let reversed: Vec<Cell> = cells[middle..].iter().rev().copied().collect();
+        for (half, cells) in [&cells[..middle], &reversed[..]].into_iter().enumerate() {
+            // Places open, in the order of their slots; free slots are `None`.
+            let mut slots: Vec<Option<usize>> = Vec::new();
+            let mut awaited = [0u16; COUNTED];
+            for (color, meets) in given.iter().zip(&meets) {
+                if let Some(color) = color.filter(|&color| usize::from(color) < COUNTED) {
+                    awaited[usize::from(color)] += meets;
+                }
+            }
+            for &cell in cells {
+                let stage = plan.stage(
+                    &edges.sides(cell),
+                    &tiles,
+                    (&given, &meets),
+                    &mut slots,
+                    &mut awaited,
+                );
+                plan.halves[half].push(stage);
+            }
+            plan.slots = plan.slots.max(slots.len());
+            // Both halves name what is open in the same order.
+            if let Some(last) = plan.halves[half].last_mut() {
+                last.open.sort_by_key(|&slot| slots[slot]);
+            }
+        }
+        plan
+    }
+
+    fn stage(
+        &self,
+        sides: &[usize; 4],
+        tiles: &[([u8; 4], usize)],
+        (given, meets): (&[Option<u8>], &[u16]),
+        slots: &mut Vec<Option<usize>>,
+        awaited: &mut [u16; COUNTED],
+    ) -> Stage {
+        let slot_of = |slots: &[Option<usize>], place| slots.iter().position(|&s| s == Some(place));
+        let mut reads = Vec::new();
+        let mut read_sides = Vec::new();
+        for (side, &place) in sides.iter().enumerate() {
+            if let Some(slot) = slot_of(slots, place) {
+                reads.push(slot);
+                read_sides.push(side);
+            }
+        }
+        // A slot that is read may be written again at once.
+        reads.iter().for_each(|&slot| slots[slot] = None);
+        let mut written = Vec::new();
+        for (side, &place) in sides.iter().enumerate() {
+            if let Some(color) = given[place] {
+                if usize::from(color) < COUNTED {
+                    awaited[usize::from(color)] -= 1;
+                }
+            } else if !read_sides.contains(&side) && meets[place] == 2 {
+                let free = slots.iter().position(Option::is_none).unwrap_or_else(|| {
+                    slots.push(None);
+                    slots.len() - 1
+                });
+                slots[free] = Some(place);
+                written.push((side, free));
+            }
+        }
+        let bits = self.bits;
+        let field = (1u64 << bits) - 1;
+        let at = |slot: usize| (slot * bits).min(63);
+        let touched = written.iter().map(|&(_, slot)| slot).chain(reads.iter().copied());
+        let cleared = touched.fold(0, |word, slot| word | field << at(slot));
+        let mut lists = vec![Vec::new(); 1 << (bits * reads.len())];
+        for &(shown, class) in tiles {
+            let fits = sides
+                .iter()
+                .zip(shown)
+                .all(|(&place, color)| given[place].is_none_or(|g| g == color));
+            if fits {
+                let known = read_sides.iter().enumerate();
+                let index = known
+                    .fold(0, |index, (i, &side)| index | usize::from(shown[side]) << (i * bits));
+                let word = written
+                    .iter()
+                    .fold(0, |w, &(side, slot)| w | u64::from(shown[side]) << at(slot));
+                lists[index].push(Laid { class: self.classes[class], shown: word });
+            }
+        }
+        let open = (0..slots.len()).filter(|&slot| slots[slot].is_some()).collect();
+        Stage { reads, bits, cleared, lists, awaited: *awaited, open }
+    }
+
+    /// All squares.
+    pub(super) fn all(&self) -> u64 {
+        self.classes.iter().fold(0, |all, class| all | class)
+    }
+
+    /// Whether what is shown fits into a word.
+    pub(super) fn fits(&self) -> bool {
+        self.slots * self.bits <= super::MOST_BITS
+    }
+
+    /// The squares not used, of those that look the same the first ones.
+    pub(super) fn complement(&self, used: u64) -> u64 {
+        let left = |&class: &u64| {
+            let left = (class & !used).count_ones();
+            // The lowest bits of the class.
+            bits_of(class).take(left as usize).fold(0, |set, bit| set | 1 << bit)
+        };
+        self.classes.iter().map(left).fold(0, |all, class| all | class)
+    }
+}
+
+impl Stage {
+    /// The tiles that fit, by the colors shown to this cell.
+    #[inline(always)]
+    pub(super) fn list(&self, shown: u64) -> &[Laid] {
+        let field = (1u64 << self.bits) - 1;
+        let reads = self.reads.iter().enumerate();
+        let index = reads.fold(0, |index, (i, &slot)| {
+            index | (shown >> (slot * self.bits) & field) << (i * self.bits)
+        });
+        &self.lists[index as usize]
+    }
+
+    /// What is shown after this tile.
+    #[inline(always)]
+    pub(super) fn after(&self, shown: u64, laid: &Laid) -> u64 {
+        shown & !self.cleared | laid.shown
+    }
+}
+
+pub(super) fn bits_of(mut set: u64) -> impl Iterator<Item = usize> {
+    std::iter::from_fn(move || {
+        (set != 0).then(|| {
+            let bit = set.trailing_zeros() as usize;
+            set &= set - 1;
+            bit
+        })
+    })
+}
+
+/// The tiles that may be shown, each once with the class of its squares; by class its bits.
+fn tiles(task: &Task) -> (Vec<([u8; 4], usize)>, Vec<u64>) {
+    let colors = task.set.colors();
+    let mut classes: BTreeMap<TileId, ([TileId; 4], usize)> = BTreeMap::new();
+    for tile in task.set.allowed() {
+        let shown = match task.board.rotations {
+            true => turn::turns(tile, colors).unwrap_or([tile; 4]),
+            false => [tile; 4],
+        };
+        let least = shown.into_iter().min().unwrap_or(tile);
+        classes.entry(least).or_insert((shown, 0)).1 += 1;
+    }
+    let (mut tiles, mut sets, mut next) = (BTreeMap::new(), Vec::new(), 0);
+    for (class, (shown, count)) in classes.values().enumerate() {
+        let set =
+            (next..next + count).filter(|&bit| bit < 64).fold(0u64, |set, bit| set | 1 << bit);
+        next += count;
+        sets.push(set);
+        for &tile in shown {
+            tiles.insert(tile, class);
+        }
+    }
+    let sides = |(&tile, &class): (&TileId, &usize)| (Kind::Wang.unpack(tile, colors), class);
+    (tiles.iter().map(sides).collect(), sets)
+}
