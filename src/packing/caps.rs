@@ -151,7 +151,7 @@ fn has<const W: usize>(row: &[u64; W], color: u8) -> bool {
 
 fn left<const W: usize>(row: &[u64; W], color: u8) -> u64 {
     let (word, shift) = lane::<W>(color);
-    (row[word] >> shift & (1 << LANE) - 1).saturating_sub(NONE)
+    (row[word] >> shift & ((1 << LANE) - 1)).saturating_sub(NONE)
 }
 
 #[inline(always)]

@@ -156,7 +156,7 @@ impl Kernel {
             let a = if START { 0 } else { (node.past >> 62) as usize };
             let beside = if START { TOP } else { node.beside[a] };
             let dominoes = u64::from(node.behind[b] & beside & TOP);
-            let mut colors = (dominoes * GATHER >> 16) as usize;
+            let mut colors = ((dominoes * GATHER) >> 16) as usize;
             if !START {
                 colors &= (node.free[d] >> (b << 4 | a << 2)) as usize;
             }
@@ -168,7 +168,7 @@ impl Kernel {
                 colors &= (tiles.wrapping_mul(THIRD.1) >> 12) as usize;
             }
             if LAST && !START {
-                let tiles = node.free[a] >> (node.first >> (2 * position - 2) & 3) * 4;
+                let tiles = node.free[a] >> ((node.first >> (2 * position - 2) & 3) * 4);
                 let tiles = tiles >> (node.first >> (2 * position) & 3) & SECOND.0;
                 colors &= (tiles.wrapping_mul(SECOND.1) >> 48) as usize;
             }

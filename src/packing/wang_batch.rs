@@ -111,7 +111,7 @@ impl Kernel {
             let q = node >> behind & 1;
             let mut fitting = 0b1111;
             if END {
-                fitting &= WITH_R << (node >> BEGIN & 1) * 2;
+                fitting &= WITH_R << ((node >> BEGIN & 1) * 2);
             }
             if LAST {
                 fitting &= WITH_S << (node >> below & 1);

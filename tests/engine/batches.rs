@@ -11,8 +11,11 @@ use tilepack::packing::{Labeled, Task};
 use tilepack::search::{Alternatives, Bounds, Count, First, Part, Problem, Values, Visited, Walk};
 use tilepack::torus::Order;
 
-/// Tasks that suit batches: kind, colors, set, size; the order of cells, or none; a pin, or none.
-const TASKS: &[([&str; 4], &str, Option<(usize, u8)>)] = &[
+/// A task: kind, colors, set, size; the order of cells, or none; a pin, or none.
+type Words = ([&'static str; 4], &'static str, Option<(usize, u8)>);
+
+/// Tasks that suit batches.
+const TASKS: &[Words] = &[
     (["corner", "2", "complete", "4x4"], "", None),
     (["corner", "2", "complete", "4x4"], "column", None),
     (["corner", "3", "complete", "9x9"], "", None),
