@@ -54,7 +54,8 @@ ROWS = {
     "B1": Row("Wang C=2, all, no symmetry broken", {"plain": "count --kind wang --colors 2 --plain"}, 203520),
     "B2": Row("Wang C=2, all, tile 0 pinned", {"plain": "count --kind wang --colors 2 --pin PIN_WANG"}, 12720),
     "B4": Row("corner C=3, a[i][j+3] = a[i][j]+1, all, tile 0 pinned",
-              {"caps": "count --kind corner --colors 3 --automorphism 3,0:+1"}, 3744),
+              {"meet": "count --kind corner --colors 3 --automorphism 3,0:+1 --method meet",
+               "search": "count --kind corner --colors 3 --automorphism 3,0:+1"}, 3744),
     "B5": Row("corner C=3, first", {"search": f"{CORNER_3} --method search",
                                     "beam": "find --kind corner --colors 3 --method beam"}, 1, True),
     "B6": Row("corner C=4, a[i][j+4] = a[i][j]+1, first",
@@ -63,8 +64,8 @@ ROWS = {
                {"search": f"{CORNER_4} --method search --values random",
                 "beam": f"{CORNER_4} --method beam"}, 1, True, after="B6"),
     "MMp": Row("MacMahon's 24 squares, 6 x 4, border 0, all, square 0 in row 0, column 2",
-               {"caps": f"{MACMAHON} --pin PIN_BOARD"}, 1908),
-    "MM": Row("MacMahon's 24 squares, 6 x 4, border 0, all, no symmetry broken", {"caps": MACMAHON}, 106624,
+               {"meet": f"{MACMAHON} --pin PIN_BOARD --method meet", "search": f"{MACMAHON} --pin PIN_BOARD"}, 1908),
+    "MM": Row("MacMahon's 24 squares, 6 x 4, border 0, all, no symmetry broken", {"meet": f"{MACMAHON} --method meet"}, 106624,
               after="MMp", long=True),
 }
 ALONE = ["B7", "B8"]

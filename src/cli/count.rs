@@ -121,6 +121,7 @@ impl Told<'_> {
         };
         let checked = match (reason, job.up_to_symmetry(), !job.reduce) {
             (Some(_), ..) => "",
+            _ if job.by_lines && task.set.kind() == Kind::Wang => "",
             (None, true, _) if done.stopped.is_none() => ", the sizes of the orbits add up to it",
             (None, _, true) => ", no symmetry removed",
             _ if job.reduction().is_none() && !job.by_lines => ", no symmetry to remove",

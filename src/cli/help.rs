@@ -118,10 +118,12 @@ same number.
 Rings of dominoes are the Eulerian circuits of a graph, and the BEST theorem counts those of any \
 set at once; larger sets are counted so unless an option asks for a search.
 
-Where rows or columns are short, --method meet counts packings of corner tiles without looking at \
-them one by one: for every choice of row 0 and of a row half way, the halves between them are \
-matched by the tiles they use. Nodes are then these choices, and steps the halves looked up. It \
-is saved, resumed and divided (plan --meet) like any other count.
+--method meet counts without looking at packings one by one, by two halves that meet. Corner \
+tiles on a torus with short rows or columns: for every choice of row 0 and of a row half way, the \
+halves between them are matched by the tiles they use. Up to 64 Wang tiles, or squares on a board: \
+partial packings that use the same tiles and show the same colors are counted as one. Nodes are \
+then the choices, and steps the halves looked at. It is saved, resumed and divided (plan --meet) \
+like any other count.
 
 Examples:
   tilepack count --kind corner --colors 2

@@ -138,17 +138,18 @@ impl Labeled for Halves {
         let (behind, shared) = self.behind.get_or_init(|| {
             let (mut behind, steps) = sweep(plan, self.stages(true), None);
             for partial in &mut behind {
-                partial.used = plan.complement(partial.used);
+                let used = plan.complement(partial.used());
+                *partial = Partial::new(used, partial.shown(), partial.ways);
             }
-            behind.sort_unstable_by_key(Partial::key);
+            behind.sort_unstable_by_key(|partial| partial.key);
             (behind, steps)
         });
         steps += if self.first == 0 { *shared } else { 0 };
         let mut packings = BigUint::ZERO;
         let mut rest = behind.iter().peekable();
         for half in &ahead {
-            while rest.next_if(|other| other.key() < half.key()).is_some() {}
-            if let Some(other) = rest.peek().filter(|other| other.key() == half.key()) {
+            while rest.next_if(|other| other.key < half.key).is_some() {}
+            if let Some(other) = rest.peek().filter(|other| other.key == half.key) {
                 packings += BigUint::from(half.ways) * other.ways;
             }
         }

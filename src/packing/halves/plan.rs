@@ -29,13 +29,24 @@ pub(super) struct Stage {
     /// By the colors read: the tiles that fit.
     lists: Vec<Vec<Laid>>,
     /// For each color that is counted: sides prescribed in cells still empty.
-    pub(super) awaited: [u16; COUNTED],
+    pub(super) awaited: u128,
     /// The slots in use afterwards.
     pub(super) open: Vec<usize>,
 }
 
-/// Colors whose sides are counted.
-pub(super) const COUNTED: usize = 8;
+/// Colors whose sides are counted, each in a lane of 16 bits of one number; more are not.
+const COUNTED: usize = 8;
+/// One in the lane of each of these colors.
+pub(super) const LANES: [u128; COUNTED] =
+    [1, 1 << 16, 1 << 32, 1 << 48, 1 << 64, 1 << 80, 1 << 96, 1 << 112];
+/// One in every lane.
+pub(super) const ONES: u128 = u128::MAX / 0xffff;
+/// More than any lane counts, in every lane.
+pub(super) const ENOUGH: u128 = ONES << 15;
+
+fn lane(color: u8) -> u128 {
+    LANES.get(usize::from(color)).copied().unwrap_or(0)
+}
 
 /// A sweep from either end.
 #[derive(Debug)]
@@ -45,9 +56,11 @@ pub(super) struct Plan {
     pub(super) bits: usize,
     /// By class of squares: its bits, as many as there are squares, side by side.
     classes: Vec<u64>,
-    /// By bit of a set of squares: how many sides of each color that square has; nothing where
+    /// All squares.
+    pub(super) all: u64,
+    /// By byte of a set of squares: how many sides of each color these squares have; empty where
     /// tiles are not turned, or outer sides are free.
-    pub(super) sides: Option<Vec<[u16; COUNTED]>>,
+    pub(super) sides: Vec<[u128; 256]>,
     slots: usize,
 }
 
@@ -69,30 +82,18 @@ impl Plan {
         }
         let bounded = edges.outer().all(|(_, _, place)| given[place].is_some());
         let counts = task.board.rotations && bounded;
-        let sides = counts.then(|| {
-            let mut sides = vec![[0; COUNTED]; super::MOST_TILES];
-            for (shown, class) in &tiles {
-                for bit in bits_of(classes[*class]) {
-                    sides[bit] = [0; COUNTED];
-                    shown.iter().filter(|&&c| usize::from(c) < COUNTED).for_each(|&c| {
-                        sides[bit][usize::from(c)] += 1;
-                    });
-                }
-            }
-            sides
-        });
-        let mut plan = Self { halves: Default::default(), bits, classes, sides, slots: 0 };
+        let all = classes.iter().fold(0, |all, class| all | class);
+        let sides = if counts { sides_by_byte(&tiles, &classes) } else { Vec::new() };
+        let mut plan = Self { halves: Default::default(), bits, classes, all, sides, slots: 0 };
         let middle = cells.len().div_ceil(2);
         let reversed: Vec<Cell> = cells[middle..].iter().rev().copied().collect();
         for (half, cells) in [&cells[..middle], &reversed[..]].into_iter().enumerate() {
             // Places open, in the order of their slots; free slots are `None`.
             let mut slots: Vec<Option<usize>> = Vec::new();
-            let mut awaited = [0u16; COUNTED];
-            for (color, meets) in given.iter().zip(&meets) {
-                if let Some(color) = color.filter(|&color| usize::from(color) < COUNTED) {
-                    awaited[usize::from(color)] += meets;
-                }
-            }
+            let prescribed = given.iter().zip(&meets);
+            let mut awaited = prescribed
+                .filter_map(|(color, &meets)| color.map(|color| lane(color) * u128::from(meets)))
+                .sum();
             for &cell in cells {
                 let stage = plan.stage(
                     &edges.sides(cell),
@@ -118,7 +119,7 @@ impl Plan {
         tiles: &[([u8; 4], usize)],
         (given, meets): (&[Option<u8>], &[u16]),
         slots: &mut Vec<Option<usize>>,
-        awaited: &mut [u16; COUNTED],
+        awaited: &mut u128,
     ) -> Stage {
         let slot_of = |slots: &[Option<usize>], place| slots.iter().position(|&s| s == Some(place));
         let mut reads = Vec::new();
@@ -134,9 +135,7 @@ impl Plan {
         let mut written = Vec::new();
         for (side, &place) in sides.iter().enumerate() {
             if let Some(color) = given[place] {
-                if usize::from(color) < COUNTED {
-                    awaited[usize::from(color)] -= 1;
-                }
+                *awaited -= lane(color);
             } else if !read_sides.contains(&side) && meets[place] == 2 {
                 let free = slots.iter().position(Option::is_none).unwrap_or_else(|| {
                     slots.push(None);
@@ -169,11 +168,6 @@ impl Plan {
         }
         let open = (0..slots.len()).filter(|&slot| slots[slot].is_some()).collect();
         Stage { reads, bits, cleared, lists, awaited: *awaited, open }
-    }
-
-    /// All squares.
-    pub(super) fn all(&self) -> u64 {
-        self.classes.iter().fold(0, |all, class| all | class)
     }
 
     /// Whether what is shown fits into a word.
@@ -211,7 +205,7 @@ impl Stage {
     }
 }
 
-pub(super) fn bits_of(mut set: u64) -> impl Iterator<Item = usize> {
+fn bits_of(mut set: u64) -> impl Iterator<Item = usize> {
     std::iter::from_fn(move || {
         (set != 0).then(|| {
             let bit = set.trailing_zeros() as usize;
@@ -219,6 +213,22 @@ pub(super) fn bits_of(mut set: u64) -> impl Iterator<Item = usize> {
             bit
         })
     })
+}
+
+/// By byte of a set of squares and its value: how many sides of each color they have.
+fn sides_by_byte(tiles: &[([u8; 4], usize)], classes: &[u64]) -> Vec<[u128; 256]> {
+    let mut by_bit = [0u128; super::MOST_TILES];
+    for (shown, class) in tiles {
+        for bit in bits_of(classes[*class]) {
+            by_bit[bit] = shown.iter().map(|&color| lane(color)).sum();
+        }
+    }
+    let sum = |byte: usize, value: usize| {
+        bits_of(value as u64).map(|bit| by_bit[8 * byte + bit]).sum::<u128>()
+    };
+    let used = classes.iter().fold(0, |all, class| all | class);
+    let bytes = (u64::BITS - used.leading_zeros()).div_ceil(8) as usize;
+    (0..bytes).map(|byte| std::array::from_fn(|value| sum(byte, value))).collect()
 }
 
 /// The tiles that may be shown, each once with the class of its squares; by class its bits.
