@@ -32,8 +32,8 @@ pub fn join<S>(
     for begin in begins {
         let xs = xs.part(begin, MOST);
         match xs.walks.len() {
-            ..=128 => stretch::<2, S>(law, xs, ys, &fits, state, &before, &put),
-            ..=256 => stretch::<4, S>(law, xs, ys, &fits, state, &before, &put),
+            0..=128 => stretch::<2, S>(law, xs, ys, &fits, state, &before, &put),
+            129..=256 => stretch::<4, S>(law, xs, ys, &fits, state, &before, &put),
             _ => stretch::<8, S>(law, xs, ys, &fits, state, &before, &put),
         }
     }
