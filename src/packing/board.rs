@@ -1,8 +1,8 @@
 //! Edge matching on boards: squares that may be turned, outer sides, a prescribed border.
 //!
 //! A level fills one cell. Its alternatives are numbered along the list of tiles that fit the
-//! colors around the cell ([`BoardPlan`]), less those whose squares all lie elsewhere and those
-//! that ask for a color nobody has left ([`Caps`]). The lists of hard puzzles are short, so that
+//! colors around the cell (`BoardPlan`), less those whose squares all lie elsewhere and those
+//! that ask for a color nobody has left (`Caps`). The lists of hard puzzles are short, so that
 //! a word is nearly always enough, whatever the number of squares.
 //!
 //! Invariant: `labels` holds the colors at all places of the levels pushed, `free` the squares

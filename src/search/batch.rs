@@ -11,7 +11,7 @@
 //! handful adds; when there is none, the shallowest, so that what it gives fills the others up.
 //!
 //! Everything else about a tree (order, budgets, paths) is the matter of the walk; see
-//! [`bulk`](super::bulk).
+//! `bulk`.
 
 /// Nodes expanded at once.
 pub const HANDFUL: usize = 64;

@@ -3,7 +3,7 @@
 //! What lies in the cells filled so far matters to the rest only by the tiles it has used and by
 //! the colors it shows to cells still empty. So partial packings are filled in cell by cell, all
 //! at once, and those that agree in both are counted as one. That is done from both ends of the
-//! board, each half way ([`sweep`]); a packing is a pair of halves that show each other the same
+//! board, each half way (`sweep`); a packing is a pair of halves that show each other the same
 //! colors and together use every tile. Where tiles are many and colors few, as with MacMahon's
 //! squares, that is some thousand times less than all packings; where tiles decide each other,
 //! as on boards of the Eternity kind, nothing agrees and nothing is gained.
