@@ -241,7 +241,7 @@ impl Common {
 
 /// All different tiles, in increasing order, each with the class of the squares that show it;
 /// and the number of squares of every class.
-fn tiles(task: &Task) -> (Vec<([u8; 4], u16)>, Vec<u16>) {
+pub(super) fn tiles(task: &Task) -> (Vec<([u8; 4], u16)>, Vec<u16>) {
     let colors = task.set.colors();
     let mut classes: BTreeMap<TileId, ([TileId; 4], u16)> = BTreeMap::new();
     for tile in task.set.allowed() {

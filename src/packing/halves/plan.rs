@@ -4,10 +4,8 @@
 //! place has a slot, a few bits of a word; a cell reads the slots of the sides that neighbors
 //! have decided, and writes those of the sides that it decides for others.
 
-use crate::packing::Task;
-use crate::tiles::{Kind, TileId, turn};
+use crate::packing::{Task, board_plan};
 use crate::torus::{Cell, Order};
-use std::collections::BTreeMap;
 
 /// A tile in a cell: a square and how it is turned.
 #[derive(Debug, Clone, Copy)]
@@ -68,7 +66,8 @@ impl Plan {
     pub(super) fn new(task: &Task) -> Self {
         let colors = task.set.colors().largest();
         let bits = (usize::BITS - (colors - 1).leading_zeros()).max(1) as usize;
-        let (tiles, classes) = tiles(task);
+        let (tiles, squares) = board_plan::tiles(task);
+        let classes = sets(&squares);
         let (edges, shape) = (task.edges(), task.shape);
         let mut given = edges.given(&task.board.border);
         for (given, pin) in given.iter_mut().zip(task.pins.labels()) {
@@ -116,7 +115,7 @@ impl Plan {
     fn stage(
         &self,
         sides: &[usize; 4],
-        tiles: &[([u8; 4], usize)],
+        tiles: &[([u8; 4], u16)],
         (given, meets): (&[Option<u8>], &[u16]),
         slots: &mut Vec<Option<usize>>,
         awaited: &mut u128,
@@ -163,7 +162,7 @@ impl Plan {
                 let word = written
                     .iter()
                     .fold(0, |w, &(side, slot)| w | u64::from(shown[side]) << at(slot));
-                lists[index].push(Laid { class: self.classes[class], shown: word });
+                lists[index].push(Laid { class: self.classes[usize::from(class)], shown: word });
             }
         }
         let open = (0..slots.len()).filter(|&slot| slots[slot].is_some()).collect();
@@ -216,10 +215,10 @@ fn bits_of(mut set: u64) -> impl Iterator<Item = usize> {
 }
 
 /// By byte of a set of squares and its value: how many sides of each color they have.
-fn sides_by_byte(tiles: &[([u8; 4], usize)], classes: &[u64]) -> Vec<[u128; 256]> {
+fn sides_by_byte(tiles: &[([u8; 4], u16)], classes: &[u64]) -> Vec<[u128; 256]> {
     let mut by_bit = [0u128; super::MOST_TILES];
     for (shown, class) in tiles {
-        for bit in bits_of(classes[*class]) {
+        for bit in bits_of(classes[usize::from(*class)]) {
             by_bit[bit] = shown.iter().map(|&color| lane(color)).sum();
         }
     }
@@ -231,28 +230,13 @@ fn sides_by_byte(tiles: &[([u8; 4], usize)], classes: &[u64]) -> Vec<[u128; 256]
     (0..bytes).map(|byte| std::array::from_fn(|value| sum(byte, value))).collect()
 }
 
-/// The tiles that may be shown, each once with the class of its squares; by class its bits.
-fn tiles(task: &Task) -> (Vec<([u8; 4], usize)>, Vec<u64>) {
-    let colors = task.set.colors();
-    let mut classes: BTreeMap<TileId, ([TileId; 4], usize)> = BTreeMap::new();
-    for tile in task.set.allowed() {
-        let shown = match task.board.rotations {
-            true => turn::turns(tile, colors).unwrap_or([tile; 4]),
-            false => [tile; 4],
-        };
-        let least = shown.into_iter().min().unwrap_or(tile);
-        classes.entry(least).or_insert((shown, 0)).1 += 1;
-    }
-    let (mut tiles, mut sets, mut next) = (BTreeMap::new(), Vec::new(), 0);
-    for (class, (shown, count)) in classes.values().enumerate() {
-        let set =
-            (next..next + count).filter(|&bit| bit < 64).fold(0u64, |set, bit| set | 1 << bit);
-        next += count;
-        sets.push(set);
-        for &tile in shown {
-            tiles.insert(tile, class);
-        }
-    }
-    let sides = |(&tile, &class): (&TileId, &usize)| (Kind::Wang.unpack(tile, colors), class);
-    (tiles.iter().map(sides).collect(), sets)
+/// By class of squares its bits.
+fn sets(squares: &[u16]) -> Vec<u64> {
+    let mut next = 0;
+    let mut set = |&squares: &u16| {
+        let bits = next..next + u32::from(squares);
+        next = bits.end;
+        bits.filter(|&bit| bit < u64::BITS).fold(0, |set, bit| set | 1 << bit)
+    };
+    squares.iter().map(&mut set).collect()
 }
