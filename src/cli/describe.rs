@@ -135,6 +135,19 @@ pub fn nothing(task: &Task) -> String {
     format!("there is no {sought}{conditions}: the search went through all possibilities")
 }
 
+/// What a search meets, when that are solutions.
+pub const SOLUTION: &str = "solution";
+
+/// What the search of a job meets: solutions, or choices that stand for many.
+pub fn leaf(job: &Job) -> &'static str {
+    if job.by_lines { "choice" } else { SOLUTION }
+}
+
+/// How many solutions were met; nothing where what is met stands for many.
+pub fn solutions_met(job: &Job, met: u64) -> Option<String> {
+    (!job.by_lines).then(|| met.to_string())
+}
+
 /// How packings are counted: `search`.
 pub fn method(job: &Job) -> &'static str {
     if job.by_lines { "meeting in the middle" } else { "search" }

@@ -346,7 +346,7 @@ Examples:
   tilepack run wang.plan --part 3
   tilepack run wang.plan --part 3 --dir /shared/wang --threads 1 --time-limit 1h
 
-JSON fields (--json): result (complete or stopped), part, parts, done (1 or 0), solutions_met, \
+JSON fields (--json): result (complete or stopped), part, parts, done (1 or 0), solutions_met (null for plan --meet), \
 nodes, seconds, stopped_by, checkpoint.";
 
 /// Examples for `merge`.

@@ -60,7 +60,10 @@ pub fn run(args: &PartArgs) -> anyhow::Result<Exit> {
                 ("part", json!(args.part)),
                 ("parts", json!(plan.parts)),
                 ("done", json!(0)),
-                ("solutions_met", json!(done.standing.state.solutions.to_string())),
+                (
+                    "solutions_met",
+                    json!(describe::solutions_met(&job, done.standing.state.solutions)),
+                ),
             ];
             fields.extend(done.fields());
             output::object(&fields)?;
@@ -143,7 +146,7 @@ fn tell(
             ("part", json!(result.number)),
             ("parts", json!(plan.parts)),
             ("done", json!(1)),
-            ("solutions_met", json!(state.solutions.to_string())),
+            ("solutions_met", json!(describe::solutions_met(&plan.job, state.solutions))),
             ("nodes", json!(state.nodes.to_string())),
             ("seconds", json!(seconds)),
             ("stopped_by", json!(null)),
@@ -154,7 +157,7 @@ fn tell(
             "part {} of {} {when}: {} met, {} nodes in {}",
             result.number,
             plan.parts,
-            describe::number(state.solutions, "solution"),
+            describe::number(state.solutions, describe::leaf(&plan.job)),
             state.nodes,
             duration::words(state.elapsed)
         ));

@@ -25,6 +25,8 @@ const BESIDE_BAR: usize = 80 - "[==========] ".len();
 #[derive(Debug)]
 pub struct Display {
     mode: Mode,
+    /// What the search meets: solutions, or choices that stand for many.
+    leaf: &'static str,
     last: Cell<Option<Progress>>,
     eta: RefCell<Eta>,
 }
@@ -39,14 +41,14 @@ enum Mode {
 }
 
 impl Display {
-    /// A display for standard error as it is.
-    pub fn new(quiet: bool) -> Self {
+    /// A display for standard error as it is; `leaf` is what the search meets.
+    pub fn new(quiet: bool, leaf: &'static str) -> Self {
         let mode = match (quiet, io::stderr().is_terminal()) {
             (true, _) => Mode::Quiet,
             (false, true) => Mode::Bar(OnceCell::new()),
             (false, false) => Mode::Lines(Cell::new(BETWEEN_LINES)),
         };
-        Self { mode, last: Cell::new(None), eta: RefCell::default() }
+        Self { mode, leaf, last: Cell::new(None), eta: RefCell::default() }
     }
 
     /// Takes a look at the search; called some twenty times a second.
@@ -58,13 +60,13 @@ impl Display {
             Mode::Bar(bar) if progress.elapsed >= PATIENCE => {
                 let bar = bar.get_or_init(new_bar);
                 bar.set_position((progress.fraction * STEPS as f64) as u64);
-                bar.set_message(few_words(progress, self.left()));
+                bar.set_message(few_words(progress, self.left(), self.leaf));
             }
             Mode::Bar(_) => {}
             Mode::Lines(due) => {
                 if progress.elapsed >= due.get() {
                     due.set(progress.elapsed + BETWEEN_LINES);
-                    output::remark(&words(progress, self.left()));
+                    output::remark(&words(progress, self.left(), self.leaf));
                 }
             }
         }
@@ -97,7 +99,7 @@ fn new_bar() -> ProgressBar {
 }
 
 /// All there is to say, the most telling first, in one line.
-fn words(progress: &Progress, left: Option<(Duration, Duration)>) -> String {
+fn words(progress: &Progress, left: Option<(Duration, Duration)>, leaf: &str) -> String {
     let Progress { nodes, solutions, deepest, levels, fraction, elapsed } = *progress;
     let rate = nodes as f64 / elapsed.as_secs_f64().max(1e-3);
     let left = left.map_or(String::new(), |left| format!(", {}", eta::words(left)));
@@ -107,20 +109,24 @@ fn words(progress: &Progress, left: Option<(Duration, Duration)>) -> String {
         percent(fraction),
         rounded(nodes as f64),
         rounded(rate),
-        describe::number(solutions, "solution"),
+        describe::number(solutions, leaf),
         duration::words(elapsed)
     )
 }
 
 /// The same in as few characters as will do, so that it fits beside a bar; the time left is worth
 /// more than the number of nodes, and that more than the deepest level.
-fn few_words(progress: &Progress, left: Option<(Duration, Duration)>) -> String {
+fn few_words(progress: &Progress, left: Option<(Duration, Duration)>, leaf: &str) -> String {
     let Progress { nodes, solutions, deepest, levels, fraction, elapsed } = *progress;
     let rate = nodes as f64 / elapsed.as_secs_f64().max(1e-3);
     let left = left.map_or(String::new(), |left| format!(" {},", eta::words(left)));
     let begin = format!("about {}, {},{left}", percent(fraction), duration::words(elapsed));
     let (count, rate) = (format!("{} nodes, ", short(nodes as f64)), short(rate));
-    let (level, met) = (format!("deepest {deepest}/{levels}, "), format!("{solutions} met"));
+    let level = format!("deepest {deepest}/{levels}, ");
+    let met = match leaf {
+        describe::SOLUTION => format!("{solutions} met"),
+        leaf => describe::number(solutions, leaf),
+    };
     let all = format!("{begin} {count}{rate}/s, {level}{met}");
     if all.len() <= BESIDE_BAR || left.is_empty() {
         return all;
@@ -162,6 +168,7 @@ fn rounded(number: f64) -> String {
 
 #[cfg(test)]
 mod tests {
+    use super::describe::SOLUTION;
     use super::*;
 
     #[test]
@@ -188,18 +195,24 @@ mod tests {
             elapsed: Duration::from_secs(4),
         };
         assert_eq!(
-            words(&progress, None),
+            words(&progress, None, SOLUTION),
             "about 25.00 % of the tree, 2.00 million nodes, 500000 nodes/s, \
              deepest level 40 of 81, 3 solutions met, 4.00 s"
         );
         let few = "about 25.00 %, 4.00 s, 2.0M nodes, 500.0k/s, deepest 40/81, 3 met";
-        assert_eq!(few_words(&progress, None), few);
+        assert_eq!(few_words(&progress, None, SOLUTION), few);
         assert!("[==========] ".len() + few.len() <= 80);
+        let choices = few_words(&progress, None, "choice");
+        assert!(choices.ends_with(", deepest 40/81, 3 choices"), "{choices}");
+        assert!(words(&progress, None, "choice").contains(", 3 choices met, "));
         let minutes = |minutes: u64| Duration::from_secs(60 * minutes);
         let left = Some((minutes(3), minutes(5)));
-        assert!(words(&progress, left).ends_with(", 3 solutions met, 4.00 s, 3 to 5 min left"));
+        assert!(
+            words(&progress, left, SOLUTION)
+                .ends_with(", 3 solutions met, 4.00 s, 3 to 5 min left")
+        );
         let few = "about 25.00 %, 4.00 s, 3 to 5 min left, 2.0M nodes, 500.0k/s, 3 met";
-        assert_eq!(few_words(&progress, left), few);
+        assert_eq!(few_words(&progress, left, SOLUTION), few);
         // The longest there is.
         let progress = Progress {
             nodes: 432_100_000_000,
@@ -208,7 +221,7 @@ mod tests {
             elapsed: Duration::from_secs(5995),
             ..progress
         };
-        let few = few_words(&progress, Some((minutes(50), minutes(143))));
+        let few = few_words(&progress, Some((minutes(50), minutes(143))), SOLUTION);
         assert_eq!(
             few,
             "about 1.2e-5 %, 99 min 55 s, 50 min to 2.5 h left, 72.1M nodes/s, 1234 met"

@@ -8,7 +8,7 @@ use super::exit::Exit;
 use super::request::Request;
 use super::saving::{Save, Saving};
 use super::status::Status;
-use super::{duration, output, progress, signal};
+use super::{describe, duration, output, progress, signal};
 use crate::packing::solve::Work;
 use crate::packing::{self, Job, Settings, Standing};
 use crate::search::{Limits, Stop};
@@ -130,7 +130,7 @@ impl<'a> Session<'a> {
     /// What the search reports; a file that cannot be read or written.
     pub fn run(&self, job: &Job, request: &Request, save: Option<Save>) -> anyhow::Result<Done> {
         let quiet = self.args.quiet;
-        let status = Status::new(self.args, self.clock.threads, save.as_ref())?;
+        let status = Status::new(self.args, self.clock.threads, save.as_ref(), job)?;
         let opened = save.map(|save| Saving::open(save, job, request, quiet)).transpose()?;
         let (saving, from) = match opened {
             Some((saving, from)) => (Some(saving), from),
@@ -139,7 +139,7 @@ impl<'a> Session<'a> {
         let before = from.as_ref().map_or(0, |standing| standing.state.nodes);
         let was_complete = from.as_ref().is_some_and(Standing::is_complete);
         let keeping = saving.map(|saving| saving.start(self.args.checkpoint_every));
-        let display = progress::Display::new(quiet);
+        let display = progress::Display::new(quiet, describe::leaf(job));
         let stop = self.clock.stop();
         let nodes = self.args.node_limit.unwrap_or(u64::MAX);
         let standing = packing::run(

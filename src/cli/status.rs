@@ -3,7 +3,7 @@
 use super::args::RunArgs;
 use super::output;
 use super::saving::Save;
-use crate::packing::Standing;
+use crate::packing::{Job, Standing};
 use crate::search::Progress;
 use crate::store::{check_writable, write_file};
 use serde_json::{Value, json};
@@ -22,6 +22,8 @@ pub struct Status {
     /// The latest progress told.
     progress: Cell<Option<Progress>>,
     threads: usize,
+    /// Whether what the search meets are solutions.
+    solutions: bool,
     checkpoint: Option<String>,
 }
 
@@ -30,7 +32,12 @@ impl Status {
     ///
     /// # Errors
     /// When the file could not be written.
-    pub fn new(args: &RunArgs, threads: usize, save: Option<&Save>) -> anyhow::Result<Self> {
+    pub fn new(
+        args: &RunArgs,
+        threads: usize,
+        save: Option<&Save>,
+        job: &Job,
+    ) -> anyhow::Result<Self> {
         let file = args.status.clone();
         if let Some(file) = &file {
             check_writable(file)?;
@@ -41,6 +48,7 @@ impl Status {
             last: Cell::new(None),
             progress: Cell::new(None),
             threads,
+            solutions: !job.by_lines,
             checkpoint: save.map(|save| save.file.to_string_lossy().into_owned()),
         })
     }
@@ -84,7 +92,7 @@ impl Status {
             ("seconds_left", json!(left_seconds)),
             ("nodes", json!(nodes.to_string())),
             ("nodes_per_second", json!((nodes as f64 / seconds.max(1e-9)).round())),
-            ("solutions_met", json!(solutions.to_string())),
+            ("solutions_met", json!(self.solutions.then(|| solutions.to_string()))),
             ("deepest", json!(deepest)),
             ("levels", json!(levels)),
             ("threads", json!(self.threads)),

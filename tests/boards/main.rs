@@ -9,3 +9,5 @@ mod naive;
 mod orbits;
 mod puzzles;
 mod sprints;
+#[path = "../common/step_by_step.rs"]
+mod step_by_step;

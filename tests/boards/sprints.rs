@@ -1,36 +1,13 @@
 //! Sprints visit the nodes of the walk, one by one; caps cut nodes and no solution.
 
 use crate::answers::puzzles;
+use crate::step_by_step::StepByStep;
 use proptest::prelude::*;
 use tilepack::packing::Task;
 use tilepack::packing::board::Planned;
 use tilepack::search::{Count, Part, Path, Problem, Slice, Values, Walk};
 use tilepack::store::{Input, read_squares};
 use tilepack::torus::{Board, Border, Order, Shape, Topology};
-
-/// A problem that never sprints.
-#[derive(Clone)]
-struct StepByStep<P>(P);
-
-impl<P: Problem> Problem for StepByStep<P> {
-    type Alternatives = P::Alternatives;
-
-    fn levels(&self) -> usize {
-        self.0.levels()
-    }
-
-    fn alternatives(&mut self, level: usize) -> P::Alternatives {
-        self.0.alternatives(level)
-    }
-
-    fn push(&mut self, level: usize, choice: u32) {
-        self.0.push(level, choice);
-    }
-
-    fn pop(&mut self, level: usize, choice: u32) {
-        self.0.pop(level, choice);
-    }
-}
 
 /// The framed board of a data file.
 pub(crate) fn frame(side: u64) -> Task {

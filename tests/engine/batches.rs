@@ -6,7 +6,8 @@
 //! without.
 
 use crate::problems::{Visitor, mix, task, with_problem};
-use crate::sprints::{StepByStep, slice, walk};
+use crate::sprints::{slice, walk};
+use crate::step_by_step::StepByStep;
 use tilepack::packing::{Labeled, Task};
 use tilepack::search::{Alternatives, Bounds, Count, First, Part, Problem, Values, Visited, Walk};
 use tilepack::torus::Order;

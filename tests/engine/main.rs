@@ -8,4 +8,6 @@ mod paths;
 mod problems;
 mod resuming;
 mod sprints;
+#[path = "../common/step_by_step.rs"]
+mod step_by_step;
 mod threads;

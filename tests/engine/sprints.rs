@@ -4,34 +4,11 @@
 //! lengths; after each they must stand at the same choices with the same alternatives left.
 
 use crate::problems::{SMALL, Visitor, task, with_problem};
+use crate::step_by_step::StepByStep;
 use std::convert::Infallible;
 use std::ops::ControlFlow;
 use tilepack::packing::Labeled;
 use tilepack::search::{Count, Part, Path, Problem, Sink, Slice, Values, Walk};
-
-/// A problem that never sprints.
-#[derive(Clone)]
-pub(crate) struct StepByStep<P>(pub(crate) P);
-
-impl<P: Problem> Problem for StepByStep<P> {
-    type Alternatives = P::Alternatives;
-
-    fn levels(&self) -> usize {
-        self.0.levels()
-    }
-
-    fn alternatives(&mut self, level: usize) -> P::Alternatives {
-        self.0.alternatives(level)
-    }
-
-    fn push(&mut self, level: usize, choice: u32) {
-        self.0.push(level, choice);
-    }
-
-    fn pop(&mut self, level: usize, choice: u32) {
-        self.0.pop(level, choice);
-    }
-}
 
 /// Breaks off never or at the first solution, and says so.
 struct Wants {

@@ -5,6 +5,8 @@
 
 mod portfolio;
 mod restarts;
+#[path = "../common/task.rs"]
+mod task;
 
 use std::collections::BTreeSet;
 use std::time::{Duration, Instant};

@@ -1,21 +1,9 @@
 //! Portfolios: the same way wins on any number of threads, and what it gives is a packing.
 
-use tilepack::packing::Task;
+use crate::task::task;
 use tilepack::portfolio::{self, Way};
 use tilepack::search::Limits;
-use tilepack::tiles::{TileSet, notation};
-use tilepack::torus::Shape;
 use tilepack::verify;
-
-fn task(kind: &str, colors: &str, members: &str, size: &str) -> Task {
-    let members = notation::parse_members(members).unwrap().unwrap();
-    let set = TileSet::new(kind.parse().unwrap(), colors.parse().unwrap(), members).unwrap();
-    let shape = match size {
-        "" => Shape::default_for(&set).unwrap(),
-        size => size.parse().unwrap(),
-    };
-    Task::new(set, shape)
-}
 
 #[test]
 fn the_same_way_wins_on_any_number_of_threads() {

@@ -3,24 +3,18 @@
 
 #![allow(clippy::unwrap_used)]
 
+#[path = "../common/task.rs"]
+mod task;
+
 use std::collections::{BTreeMap, BTreeSet};
 use std::ops::ControlFlow;
+use task::task;
 use tilepack::packing::{self, Settings, Task};
 use tilepack::patch::{Patch, Refusal, Walk};
 use tilepack::search::Stop;
-use tilepack::tiles::{TileId, TileSet, notation};
+use tilepack::tiles::TileId;
 use tilepack::torus::{Cell, Shape};
 use tilepack::verify;
-
-fn task(kind: &str, colors: &str, members: &str, size: &str) -> Task {
-    let members = notation::parse_members(members).unwrap().unwrap();
-    let set = TileSet::new(kind.parse().unwrap(), colors.parse().unwrap(), members).unwrap();
-    let shape = match size {
-        "" => Shape::default_for(&set).unwrap(),
-        size => size.parse().unwrap(),
-    };
-    Task::new(set, shape)
-}
 
 /// The cells of a patch.
 fn cells(shape: Shape, corner: Cell, (width, height): (usize, usize)) -> BTreeSet<Cell> {
