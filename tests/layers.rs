@@ -29,6 +29,7 @@ const LAYERS: &[(&str, &[&str])] = &[
     // Of nothing it checks: neither search nor packing nor symmetry.
     ("verify", &["tiles", "torus"]),
     ("export", &["tiles", "torus", "symmetry", "packing"]),
+    ("atlas", &["tiles", "torus", "construct"]),
     ("store", &["tiles", "torus", "search", "symmetry", "packing"]),
     ("cluster", &["packing", "store"]),
     (
@@ -47,6 +48,7 @@ const LAYERS: &[(&str, &[&str])] = &[
             "patch",
             "cover",
             "export",
+            "atlas",
             "verify",
             "store",
             "cluster",
@@ -61,8 +63,8 @@ const CRATES: &[(&str, &[&str])] = &[
     ("ctrlc", &["cli/signal.rs"]),
     ("indicatif", &["cli/progress.rs"]),
     ("bincode", &["store/codec.rs"]),
-    ("serde_json", &["store/", "cli/"]),
-    ("rayon", &["packing/", "symmetry/", "cli/"]),
+    ("serde_json", &["store/", "cli/", "atlas/"]),
+    ("rayon", &["packing/", "symmetry/", "atlas/", "cli/"]),
     ("crossbeam", &["search/", "store/keeping.rs"]),
     ("rand", &["search/estimate/", "anneal/", "beam/", "patch/", "compact/", "construct/"]),
     ("rand_pcg", &["search/estimate/", "anneal/", "beam/", "patch/", "compact/", "construct/"]),

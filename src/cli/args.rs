@@ -7,6 +7,7 @@ mod board;
 mod cube;
 mod export;
 mod find;
+mod formats;
 mod parts;
 mod walk;
 
@@ -14,6 +15,7 @@ pub use board::BoardArgs;
 pub use cube::{CubeArgs, CubeKindArg};
 pub use export::{ExportCnfArgs, ExportOut, ExportXccArgs};
 pub use find::{FindArgs, FirstRow, Method, ValueOrder};
+pub use formats::{ExportArgs, To};
 pub use parts::{ClusterCommand, JobArgs, MergeArgs, PartArgs, PlanArgs, SlurmArgs};
 pub use walk::WalkArgs;
 
@@ -74,6 +76,9 @@ pub enum Command {
     /// Write the problem as exact cover with colors, for Knuth's DLX2 and DLX3
     #[command(after_help = help::EXPORT_XCC)]
     ExportXcc(ExportXccArgs),
+    /// Write a packing for other programs: map editors, engines, shaders, pictures
+    #[command(after_help = help::EXPORT)]
+    Export(ExportArgs),
     /// Check packings from the definition
     #[command(after_help = help::VERIFY)]
     Verify(VerifyArgs),

@@ -246,6 +246,13 @@ Exit codes with --model: 0 a packing, 1 the solver says that there is none, 75 i
 JSON fields (--json): result (written), format, variables, clauses, file; with --model result \
 (found, none or stopped), method, width, height, reason, file, and without -o the solution.";
 
+/// Examples for `export`.
+pub const EXPORT: &str = "\
+Examples:
+  tilepack find --kind corner --colors 3 -o corner.json
+
+JSON fields (--json): result (written), format, file.";
+
 /// Examples for `export-xcc`.
 pub const EXPORT_XCC: &str = "\
 Cells and tiles are items, lattice points (for Wang tiles, edges) secondary items with colors; an \

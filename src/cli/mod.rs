@@ -4,7 +4,7 @@
 //!   turn it into what the library wants and refuse what makes no sense.
 //! * One file a command: [`find`] (by [`construct`], [`anneal`], [`beam`], [`cover`], [`restarts`] or
 //!   [`portfolio`], whichever it is told to or [`choose`]s), [`locate`], [`count`] (also by [`formula`]), [`list`],
-//!   [`estimate`], [`export`] (for other solvers), [`resume`], [`plan`], [`part`] (the command `run`), [`merge`], [`cluster`] (job
+//!   [`estimate`], [`export`] (for other solvers), [`formats`] (for other programs), [`resume`], [`plan`], [`part`] (the command `run`), [`merge`], [`cluster`] (job
 //!   files), [`verify`] (with [`recursive`]), [`show`], [`sets`], [`cube`], [`walk`]; [`ring`] is the option
 //!   `--ring` of two of them.
 //! * [`session`] runs a search with limits, [`signal`]s, [`progress`], [`eta`] (the time that is
@@ -33,6 +33,7 @@ pub mod eta;
 pub mod exit;
 pub mod export;
 pub mod find;
+pub mod formats;
 pub mod formula;
 pub mod found;
 pub mod help;
@@ -88,6 +89,7 @@ pub fn run() -> Exit {
         Command::Merge(args) => merge::run(args),
         Command::ExportCnf(args) => export::run_cnf(args),
         Command::ExportXcc(args) => export::run_xcc(args),
+        Command::Export(args) => formats::run(args),
         Command::Verify(args) => verify::run(args),
         Command::Show(args) => show::run(args),
         Command::Sets(args) => sets::run(args),
