@@ -134,6 +134,11 @@ impl Image {
         &self.data
     }
 
+    /// All samples, the picture given up.
+    pub fn into_data(self) -> Vec<u8> {
+        self.data
+    }
+
     /// The samples of a row.
     pub fn row(&self, y: usize) -> &[u8] {
         let bytes = self.width * self.format.bytes();

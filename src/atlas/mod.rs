@@ -10,11 +10,29 @@
 //! * [`Image`] is a picture in memory, [`Format`] how its samples are to be read;
 //! * [`TileImages`] draws the tiles of a set, [`palette`] gives colors their look.
 
+mod compose;
 mod error;
+pub mod fill;
+pub mod filter;
+mod given;
 mod image;
+mod layout;
+pub mod light;
+pub mod lint;
+mod mips;
 pub mod palette;
+mod png;
+pub mod sides;
+mod strip;
+pub mod tables;
 mod tile_images;
 
+pub use compose::Scene;
 pub use error::AtlasError;
+pub use given::{Folder, PICTURE_LIMIT, Sheet, open_png};
 pub use image::{Channels, Depth, Format, Image, Light};
+pub use layout::{Arrangement, Gutter, Layout};
+pub use mips::chain;
+pub use png::{PngWriter, read_png, write_png};
+pub use strip::StripCheck;
 pub use tile_images::{TileImages, assemble};

@@ -3,6 +3,7 @@
 //! What depends on more than one option (colors on the kind, a size on the set) is kept as text
 //! here and read in [`super::problem`], where errors can say more.
 
+mod atlas;
 mod board;
 mod cube;
 mod export;
@@ -11,6 +12,7 @@ mod formats;
 mod parts;
 mod walk;
 
+pub use atlas::{ArrangeArg, AtlasArgs, ChannelsArg, GutterArg, LintArgs, TilePictureArgs};
 pub use board::BoardArgs;
 pub use cube::{CubeArgs, CubeKindArg};
 pub use export::{ExportCnfArgs, ExportOut, ExportXccArgs};
@@ -76,6 +78,12 @@ pub enum Command {
     /// Write the problem as exact cover with colors, for Knuth's DLX2 and DLX3
     #[command(after_help = help::EXPORT_XCC)]
     ExportXcc(ExportXccArgs),
+    /// Make a texture of a packing: the atlas, its mip levels, tables, a viewer
+    #[command(after_help = help::ATLAS)]
+    Atlas(AtlasArgs),
+    /// Find out whether the tiles of a sheet fit
+    #[command(after_help = help::LINT)]
+    Lint(LintArgs),
     /// Write a packing for other programs: map editors, engines, shaders, pictures
     #[command(after_help = help::EXPORT)]
     Export(ExportArgs),

@@ -246,6 +246,47 @@ Exit codes with --model: 0 a packing, 1 the solver says that there is none, 75 i
 JSON fields (--json): result (written), format, variables, clauses, file; with --model result \
 (found, none or stopped), method, width, height, reason, file, and without -o the solution.";
 
+/// Examples for `atlas`.
+pub const ATLAS: &str = "\
+The picture of a tile depends, within the strip, on the colors of that side alone. So a filter \
+that strays over the border of a tile reads in the atlas what it would read in any tiling, as long \
+as it stays in the strip: through level log2(STRIP), and with anisotropic filtering through a \
+ratio of 2 STRIP at level 0. --check finds the largest difference over all legal neighbors.
+
+Mip levels are means of 2 x 2 texels, in light; no texel crosses the border of a tile. Equal \
+arguments give equal bytes, and the PNG says in its text which they were.
+
+Examples:
+  tilepack find --kind corner --colors 3 -o three.json
+  tilepack atlas three.json -o atlas.png --mips --tables tables --check
+  tilepack atlas three.json -o curves.png --fill truchet --tile-size 128 --strip 8
+  tilepack atlas three.json --fill noise --check --arrange by-number || echo not exact
+  tilepack atlas three.json -o padded.png --gutter 4 --fill truchet --check
+
+Exit codes: 0, and 1 when --check finds that filtering is not exact through log2(STRIP).
+
+JSON fields (--json): result (made), file, width, height, tiles, tile_size, strip, gutter, levels, \
+files, tables; with --check exact_to_lod (null when at none), errors (bilinear, by LOD), trilinear \
+(at LOD 0.5, 1.5, ...), anisotropic (ratio and error, at LOD 0), in 1/255 of full light.";
+
+/// Examples for `lint`.
+pub const LINT: &str = "\
+What tiles with the same colors on a side should show there is taken to be the median of what \
+they show. A seam is visible when its steps are more than twice those beside it, by more than \
+4/255.
+
+Examples:
+  tilepack find --kind wang --colors 2 -o wang.json
+  tilepack atlas wang.json -o wang.png --fill truchet
+  tilepack lint wang.png --tiles wang.json --strip 4 --filter --heat heat.png
+
+Exit codes: 0 all fits, 1 something is off.
+
+JSON fields (--json): result (fits or off), tiles, tile_size, strip, areas, off (areas that are \
+off: cell, side, corner, largest, rms), seams, visible (first, second, side, largest, step, \
+inside), missing, twice, alike, lonely, redraw (cells, the worst first); with --filter those of \
+atlas --check.";
+
 /// Examples for `export`.
 pub const EXPORT: &str = "\
 Examples:

@@ -4,7 +4,7 @@
 //!   turn it into what the library wants and refuse what makes no sense.
 //! * One file a command: [`find`] (by [`construct`], [`anneal`], [`beam`], [`cover`], [`restarts`] or
 //!   [`portfolio`], whichever it is told to or [`choose`]s), [`locate`], [`count`] (also by [`formula`]), [`list`],
-//!   [`estimate`], [`export`] (for other solvers), [`formats`] (for other programs), [`resume`], [`plan`], [`part`] (the command `run`), [`merge`], [`cluster`] (job
+//!   [`estimate`], [`export`] (for other solvers), [`atlas`] and [`lint`] (textures, of [`tile_pictures`]), [`formats`] (for other programs), [`resume`], [`plan`], [`part`] (the command `run`), [`merge`], [`cluster`] (job
 //!   files), [`verify`] (with [`recursive`]), [`show`], [`sets`], [`cube`], [`walk`]; [`ring`] is the option
 //!   `--ring` of two of them.
 //! * [`session`] runs a search with limits, [`signal`]s, [`progress`], [`eta`] (the time that is
@@ -17,6 +17,7 @@
 
 pub mod anneal;
 pub mod args;
+pub mod atlas;
 pub mod beam;
 mod board;
 pub mod choose;
@@ -37,6 +38,7 @@ pub mod formats;
 pub mod formula;
 pub mod found;
 pub mod help;
+pub mod lint;
 pub mod list;
 pub mod locate;
 pub mod merge;
@@ -59,6 +61,7 @@ pub mod show;
 pub mod signal;
 pub mod source;
 pub mod status;
+pub mod tile_pictures;
 pub mod verify;
 pub mod walk;
 
@@ -89,6 +92,8 @@ pub fn run() -> Exit {
         Command::Merge(args) => merge::run(args),
         Command::ExportCnf(args) => export::run_cnf(args),
         Command::ExportXcc(args) => export::run_xcc(args),
+        Command::Atlas(args) => atlas::run(args),
+        Command::Lint(args) => lint::run(args),
         Command::Export(args) => formats::run(args),
         Command::Verify(args) => verify::run(args),
         Command::Show(args) => show::run(args),

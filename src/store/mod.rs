@@ -7,6 +7,7 @@
 //! * [`Input`] opens a file and refuses what cannot be text;
 //! * [`solutions()`] reads packings from solution JSON, JSON lines and text grids;
 //! * [`read_pins`] reads cells given beforehand, [`read_tile_set`] a set of tiles;
+//! * [`read_listed_tiles`] reads the tiles of a sheet;
 //! * [`read_border`], [`read_squares`] and [`read_pins_on_board`] are for boards;
 //! * [`read_cubes`] and [`write_cubes`] do the same for packings of cubes;
 //! * [`write_solution`], [`write_grid`] and [`write_tile_set`] are their inverses;
@@ -59,7 +60,9 @@ pub use read::{Input, MAX_BYTES};
 pub use sealed::hexadecimal;
 pub use solution::{FORMAT, Layout, Solution, TakeRow, write_solution, write_solution_rows};
 pub use solutions::{Solutions, read_solution, solutions};
-pub use tile_set::{NamedSet, read_squares, read_tile_set, write_tile_set};
+pub use tile_set::{
+    ListedTiles, NamedSet, read_listed_tiles, read_squares, read_tile_set, write_tile_set,
+};
 
 use std::path::{Path, PathBuf};
 

@@ -58,7 +58,52 @@ pub fn read_squares(input: &Input, colors: Option<Colors>) -> Result<NamedSet, S
     read(input, colors, true)
 }
 
+/// Tiles in the order in which a file lists them, as a sheet of pictures shows them; any of them
+/// may be listed again.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct ListedTiles {
+    /// What carries the colors.
+    pub kind: Kind,
+    /// The palettes.
+    pub colors: Colors,
+    /// The tiles.
+    pub tiles: Vec<TileId>,
+}
+
+/// Reads a tile set file as a list.
+///
+/// # Errors
+/// As [`read_tile_set`], but for tiles listed twice.
+pub fn read_listed_tiles(input: &Input, colors: Option<Colors>) -> Result<ListedTiles, StoreError> {
+    let (tiles, _) = read_list(input, colors, false, true)?;
+    Ok(tiles)
+}
+
 fn read(input: &Input, colors: Option<Colors>, squares: bool) -> Result<NamedSet, StoreError> {
+    let (list, fields) = read_list(input, colors, squares, squares)?;
+    let ListedTiles { kind, colors, tiles } = list;
+    let set = match squares {
+        true => TileSet::squares(colors, tiles),
+        false => TileSet::new(kind, colors, Members::Explicit(tiles)),
+    };
+    let set = set.map_err(|error| fields.tiles.error(error))?;
+    Ok(NamedSet { set, name: fields.name, source: fields.source })
+}
+
+/// What a file says besides its tiles, and where they stand.
+struct Around<'a> {
+    tiles: Field<'a>,
+    name: Option<String>,
+    source: Option<String>,
+}
+
+/// The tiles as they are listed; for `squares` with one palette.
+fn read_list(
+    input: &Input,
+    colors: Option<Colors>,
+    squares: bool,
+    repeated: bool,
+) -> Result<(ListedTiles, Around<'_>), StoreError> {
     let start = input.start();
     let text = &input.text()[start..];
     if !text.starts_with('{') {
@@ -87,7 +132,7 @@ fn read(input: &Input, colors: Option<Colors>, squares: bool) -> Result<NamedSet
     if let Some(colors) = colors {
         check_palettes(kind, colors).map_err(|message| kind_field.error(message))?;
     }
-    let tiles = field.read(Tiles { kind, colors, squares })?;
+    let tiles = field.read(Tiles { kind, colors, repeated })?;
     let colors = match (colors, squares) {
         (Some(colors), _) => colors,
         (None, false) => smallest(kind, &tiles).map_err(|error| field.error(error))?,
@@ -97,18 +142,13 @@ fn read(input: &Input, colors: Option<Colors>, squares: bool) -> Result<NamedSet
         }
     };
     let ids = tiles.iter().map(|tile| kind.pack(&tile[..kind.sides().len()], colors));
-    let set = ids
-        .collect::<Result<Vec<TileId>, _>>()
-        .and_then(|ids| match squares {
-            true => TileSet::squares(colors, ids),
-            false => TileSet::new(kind, colors, Members::Explicit(ids)),
-        })
-        .map_err(|error| field.error(error))?;
+    let tiles = ids.collect::<Result<Vec<_>, _>>().map_err(|error| field.error(error))?;
     let text = |raw| match Field::optional(input, raw) {
         None => Ok(None),
         Some(field) => field.string().map(Some),
     };
-    Ok(NamedSet { set, name: text(fields.name)?, source: text(fields.source)? })
+    let around = Around { name: text(fields.name)?, source: text(fields.source)?, tiles: field };
+    Ok((ListedTiles { kind, colors, tiles }, around))
 }
 
 /// Corner tiles and the dominoes of one ring have one palette.
@@ -148,7 +188,7 @@ struct Tiles {
     kind: Kind,
     colors: Option<Colors>,
     /// A tile may be listed again.
-    squares: bool,
+    repeated: bool,
 }
 
 impl<'de> DeserializeSeed<'de> for Tiles {
@@ -172,7 +212,7 @@ impl<'de> Visitor<'de> for Tiles {
         while let Some(tile) =
             list.next_element_seed(Tile { kind: self.kind, colors: self.colors, seen: &seen })?
         {
-            if !self.squares {
+            if !self.repeated {
                 seen.insert(tile);
             }
             tiles.push(tile);
