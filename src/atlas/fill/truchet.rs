@@ -85,7 +85,10 @@ fn ribbons(canvas: &Canvas, colors: &[[f32; 3]; 4], style: u64, x: usize, y: usi
     let [n, e, s, w] = [down, side - right, side - down, right];
     let rim = (side / 40.0).max(0.6);
     // No ribbon reaches into the strip beside it.
-    let width = (half - strip - rim - 1.0).clamp(0.1, 0.16 * side);
+    let width = (half - strip - rim - 1.0).min(0.16 * side);
+    if width <= 0.0 {
+        return GROUND;
+    }
     let mut texel = GROUND;
     let mut lay = |(away, along): Ribbon, from: usize, to: usize| {
         let cover = (width + rim - away + 0.5).clamp(0.0, 1.0);

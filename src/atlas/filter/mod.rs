@@ -21,7 +21,7 @@ pub use footprint::{Direction, Footprint, Part, Tap};
 use super::light::Decoder;
 use super::sides::Side;
 use super::{AtlasError, Image, Layout};
-use neighbors::{Groups, Neighbors};
+use neighbors::{Corner, Neighbors};
 use rayon::prelude::*;
 
 /// Bytes of decoded texels at most.
@@ -52,15 +52,18 @@ impl Exactness {
     }
 }
 
+/// Light of a texel, at most four channels.
+type Texel = [f64; 4];
+
 /// An atlas whose filtering is looked at.
 pub struct Filter<'a> {
     layout: &'a Layout,
     channels: usize,
     /// The light of each level.
     light: Vec<Vec<f32>>,
-    /// Different tiles with their first cells.
-    cells: Vec<usize>,
     neighbors: Neighbors,
+    /// Around the corners between east or west and north or south.
+    corners: [[Corner; 2]; 2],
 }
 
 impl<'a> Filter<'a> {
@@ -81,9 +84,11 @@ impl<'a> Filter<'a> {
         }
         let decode = |level: &Image| Decoder::new(level.format()).decode(level);
         let light = levels.par_iter().map(decode).collect();
-        let (tiles, cells): (Vec<_>, Vec<_>) = layout.places().unzip();
-        let neighbors = Neighbors::new(layout.kind, layout.colors, &tiles);
-        Ok(Self { layout, channels, light, cells, neighbors })
+        let neighbors = Neighbors::new(layout);
+        let corners = [Side::East, Side::West].map(|across| {
+            [Side::North, Side::South].map(|down| Corner::new(&neighbors, across, down))
+        });
+        Ok(Self { layout, channels, light, neighbors, corners })
     }
 
     /// All figures.
@@ -116,94 +121,128 @@ impl<'a> Filter<'a> {
     /// The largest difference of one sample, over all cells and all that can lie around them.
     fn sample_error(&self, parts: &[Part]) -> f64 {
         let outside: Vec<&Part> = parts.iter().filter(|part| part.tile != (0, 0)).collect();
-        let toward = |horizontal: bool| {
-            outside.iter().find_map(|part| match (part.tile, horizontal) {
-                ((1, _), true) => Some(Side::East),
-                ((-1, _), true) => Some(Side::West),
-                ((_, 1), false) => Some(Side::South),
-                ((_, -1), false) => Some(Side::North),
-                _ => None,
-            })
-        };
-        match (toward(true), toward(false)) {
-            (Some(side), None) | (None, Some(side)) => self.side_error(&outside, side),
-            (Some(across), Some(down)) => self.corner_error(&outside, across, down),
-            (None, None) => 0.0,
+        let dx = outside.iter().find_map(|part| (part.tile.0 != 0).then_some(part.tile.0));
+        let dy = outside.iter().find_map(|part| (part.tile.1 != 0).then_some(part.tile.1));
+        let across = |dx: isize| if dx > 0 { Side::East } else { Side::West };
+        let down = |dy: isize| if dy > 0 { Side::South } else { Side::North };
+        match (dx, dy, &outside[..]) {
+            (Some(dx), None, [part]) => self.side_error(part, across(dx)),
+            (None, Some(dy), [part]) => self.side_error(part, down(dy)),
+            (Some(dx), Some(dy), _) => self.corner_error(&outside, dx, dy),
+            _ => 0.0,
         }
     }
 
     /// One neighbor is read.
-    fn side_error(&self, parts: &[&Part], side: Side) -> f64 {
-        let Some(part) = parts.first() else { return 0.0 };
-        let inside = self.in_tiles(part);
+    fn side_error(&self, part: &Part, side: Side) -> f64 {
+        let inside = self.in_cells(part);
+        let shown = self.shown(part, &inside);
         let mut largest: f64 = 0.0;
         for channel in 0..self.channels {
-            let range = self.neighbors.range_at_side(side, &inside[channel]);
-            for cell in 0..self.layout.tiles.len() {
-                let Some((low, high)) = range[self.neighbors.key_of(self.layout.tiles[cell], side)]
-                else {
-                    continue;
-                };
-                let shown = self.read(cell, part, (0, 0), channel);
-                largest = largest.max(high - shown).max(shown - low);
+            let values = inside.iter().map(|texel| texel[channel]);
+            let ranges = self.neighbors.range_at_side(side, values);
+            for (cell, shown) in shown.iter().enumerate() {
+                let range = ranges[self.neighbors.key(cell, side)];
+                largest = largest.max(away(shown[channel], range));
             }
         }
         largest
     }
 
     /// Two neighbors and the one between them may be read.
-    fn corner_error(&self, parts: &[&Part], across: Side, down: Side) -> f64 {
-        let (dx, dy) = (across.step().0, down.step().1);
+    fn corner_error(&self, parts: &[&Part], dx: isize, dy: isize) -> f64 {
         let part = |tile: (isize, isize)| parts.iter().copied().find(|part| part.tile == tile);
         let parts = [part((dx, 0)), part((0, dy)), part((dx, dy))];
-        let inside = parts.map(|part| part.map(|part| self.in_tiles(part)));
-        let groups = Groups::new(&self.neighbors, across, down);
+        let inside = parts.map(|part| part.map(|part| self.in_cells(part)));
+        let shown: [Option<Vec<Texel>>; 3] = std::array::from_fn(|at| {
+            let (part, inside) = (parts[at]?, inside[at].as_ref()?);
+            Some(self.shown(part, inside))
+        });
+        let corner = &self.corners[usize::from(dx < 0)][usize::from(dy > 0)];
         let mut largest: f64 = 0.0;
         for channel in 0..self.channels {
-            let values = std::array::from_fn(|at| {
-                inside[at].as_ref().map(|channels| channels[channel].as_slice())
+            let values = inside.each_ref().map(|inside| {
+                inside.as_ref().map(|inside| inside.iter().map(|texel| texel[channel]))
             });
-            let ranges = groups.ranges(values);
-            for (cell, &tile) in self.layout.tiles.iter().enumerate() {
-                let Some((low, high)) = ranges.around(tile, &self.neighbors) else { continue };
-                let [a, b, c] = parts
-                    .map(|part| part.map_or(0.0, |part| self.read(cell, part, (0, 0), channel)));
-                let shown = (a + b) + c;
-                largest = largest.max(high - shown).max(shown - low);
+            for (cell, range) in corner.ranges(values).into_iter().enumerate() {
+                let [a, b, c] = shown
+                    .each_ref()
+                    .map(|shown| shown.as_ref().map_or(0.0, |shown| shown[cell][channel]));
+                largest = largest.max(away((a + b) + c, range));
             }
         }
         largest
     }
 
-    /// What a neighbor would contribute, for every tile, channel by channel.
-    fn in_tiles(&self, part: &Part) -> Vec<Vec<f64>> {
-        let read = |channel| {
-            let cells = self.cells.iter();
-            cells.map(|&cell| self.read(cell, part, part.tile, channel)).collect()
+    /// What each cell would contribute if it lay where the part reads.
+    fn in_cells(&self, part: &Part) -> Vec<Texel> {
+        let side = self.layout.side as isize;
+        let taps: Vec<(usize, usize, f64)> = part
+            .taps
+            .iter()
+            .map(|tap| {
+                let (texels, width) =
+                    (side >> tap.level, (self.layout.width() >> tap.level) as isize);
+                let x = tap.x - part.tile.0 * texels;
+                let y = tap.y - part.tile.1 * texels;
+                (tap.level, (y * width + x) as usize * self.channels, tap.weight)
+            })
+            .collect();
+        let (block, gutter) = (self.layout.block(), self.layout.gutter);
+        let cell = |cell: usize| {
+            let (column, row) = self.layout.position(cell);
+            let (left, top) = (column * block + gutter, row * block + gutter);
+            let mut sum = [0.0; 4];
+            for &(level, offset, weight) in &taps {
+                let width = self.layout.width() >> level;
+                let start = ((top >> level) * width + (left >> level)) * self.channels;
+                let texel = &self.light[level][start + offset..][..self.channels];
+                for (sum, &light) in sum.iter_mut().zip(texel) {
+                    *sum += weight * f64::from(light);
+                }
+            }
+            sum
         };
-        (0..self.channels).map(read).collect()
+        (0..self.layout.tiles.len()).map(cell).collect()
     }
 
-    /// The sum over the taps in the atlas, from a cell on, less so many tiles.
-    fn read(&self, cell: usize, part: &Part, less: (isize, isize), channel: usize) -> f64 {
+    /// What the atlas shows each cell in the place of its neighbor. Without gutters that is the
+    /// neighboring cell, whose contribution is known.
+    fn shown(&self, part: &Part, inside: &[Texel]) -> Vec<Texel> {
+        let (columns, rows) = (self.layout.columns as isize, self.layout.rows() as isize);
+        let cell = |cell: usize| {
+            if self.layout.gutter > 0 {
+                return self.read(cell, part);
+            }
+            let (column, row) = self.layout.position(cell);
+            let column = (column as isize + part.tile.0).rem_euclid(columns);
+            let row = (row as isize + part.tile.1).rem_euclid(rows);
+            inside[(row * columns + column) as usize]
+        };
+        (0..self.layout.tiles.len()).map(cell).collect()
+    }
+
+    /// The sum over the taps in the atlas, from a cell on.
+    fn read(&self, cell: usize, part: &Part) -> Texel {
         let (column, row) = self.layout.position(cell);
         let (block, gutter) = (self.layout.block(), self.layout.gutter);
-        let mut sum = 0.0;
+        let mut sum = [0.0; 4];
         for tap in &part.taps {
             let size = |texels: usize| (texels >> tap.level) as isize;
             let (width, height) = (size(self.layout.width()), size(self.layout.height()));
-            let side = size(self.layout.side);
-            let x = size(column * block + gutter) + tap.x - less.0 * side;
-            let y = size(row * block + gutter) + tap.y - less.1 * side;
-            let wrap = |at: isize, size: isize| match at {
-                at if at < 0 => at + size,
-                at if at >= size => at - size,
-                at => at,
-            };
-            let texel = wrap(y, height) * width + wrap(x, width);
-            let at = texel as usize * self.channels + channel;
-            sum += tap.weight * f64::from(self.light[tap.level][at]);
+            let x = (size(column * block + gutter) + tap.x).rem_euclid(width);
+            let y = (size(row * block + gutter) + tap.y).rem_euclid(height);
+            let start = (y * width + x) as usize * self.channels;
+            let texel = &self.light[tap.level][start..][..self.channels];
+            for (sum, &light) in sum.iter_mut().zip(texel) {
+                *sum += tap.weight * f64::from(light);
+            }
         }
         sum
     }
+}
+
+/// How far the farthest value of a range is away; of an empty range nothing.
+fn away(shown: f64, (low, high): (f64, f64)) -> f64 {
+    if low > high { 0.0 } else { (high - shown).max(shown - low) }
 }
