@@ -8,6 +8,9 @@ use crate::torus::{Packing, Shape};
 use rayon::prelude::*;
 use std::io;
 
+/// Bytes of a row of tiles at most.
+const BAND_LIMIT: u64 = 3 << 30;
+
 /// What is drawn.
 pub struct Scene<'a> {
     /// Where the tiles go.
@@ -34,7 +37,16 @@ impl Scene<'_> {
         let decoder = Decoder::new(self.images.format());
         let (columns, block) = (self.layout.columns, self.layout.block());
         let cells_of = self.cells_of_tiles();
-        // A band: enough tiles for all threads, and not much memory.
+        // Levels take a third more, and the row of texels is there twice.
+        let bytes = (columns * block * block * self.images.format().bytes()) as u64 * 8 / 3;
+        if bytes > BAND_LIMIT {
+            return Err(AtlasError::Asked(format!(
+                "a row of {columns} tiles of {block} texels a side takes {} MiB of memory, the \
+                 limit is {}",
+                bytes >> 20,
+                BAND_LIMIT >> 20
+            )));
+        }
         for row in self.layout.tiles.chunks(columns) {
             let chains: Vec<Vec<Image>> = row
                 .par_iter()

@@ -198,6 +198,7 @@ fn sizes_are_told_with_their_numbers() {
     place.exits(0, "find --kind wang --colors 16 --quiet -o many.json");
     place.refused("atlas many.json --check --tile-size 256", "65536 x 65536 texels takes");
     place.refused("atlas many.json --check --tile-size 5000", "expected 1 to 4096");
+    place.refused("atlas many.json -o a.png --tile-size 4096", "a row of 256 tiles of 4096 texels");
 }
 
 #[test]
