@@ -29,6 +29,8 @@ const LAYERS: &[(&str, &[&str])] = &[
     // Of nothing it checks: neither search nor packing nor symmetry.
     ("verify", &["tiles", "torus"]),
     ("export", &["tiles", "torus", "symmetry", "packing"]),
+    // Of the search only what says when to stop.
+    ("aperiodic", &["tiles", "torus", "search"]),
     ("atlas", &["tiles", "torus", "construct"]),
     ("store", &["tiles", "torus", "search", "symmetry", "packing"]),
     ("cluster", &["packing", "store"]),
@@ -48,6 +50,7 @@ const LAYERS: &[(&str, &[&str])] = &[
             "patch",
             "cover",
             "export",
+            "aperiodic",
             "atlas",
             "verify",
             "store",

@@ -3,6 +3,7 @@
 //! What depends on more than one option (colors on the kind, a size on the set) is kept as text
 //! here and read in [`super::problem`], where errors can say more.
 
+mod aperiodic;
 mod atlas;
 mod board;
 mod cube;
@@ -12,6 +13,7 @@ mod formats;
 mod parts;
 mod walk;
 
+pub use aperiodic::AperiodicCommand;
 pub use atlas::{ArrangeArg, AtlasArgs, ChannelsArg, GutterArg, LintArgs, TilePictureArgs};
 pub use board::BoardArgs;
 pub use cube::{CubeArgs, CubeKindArg};
@@ -87,6 +89,9 @@ pub enum Command {
     /// Write a packing for other programs: map editors, engines, shaders, pictures
     #[command(after_help = help::EXPORT)]
     Export(ExportArgs),
+    /// Convert, decide, classify and find sets of tiles that fill the plane without a period
+    #[command(after_help = help::APERIODIC, subcommand, disable_help_subcommand = true)]
+    Aperiodic(AperiodicCommand),
     /// Check packings from the definition
     #[command(after_help = help::VERIFY)]
     Verify(VerifyArgs),

@@ -246,6 +246,9 @@ Exit codes with --model: 0 a packing, 1 the solver says that there is none, 75 i
 JSON fields (--json): result (written), format, variables, clauses, file; with --model result \
 (found, none or stopped), method, width, height, reason, file, and without -o the solution.";
 
+/// Examples for `aperiodic`.
+pub const APERIODIC: &str = "";
+
 /// Examples for `atlas`.
 pub const ATLAS: &str = "\
 The picture of a tile depends, within the strip, on the colors of that side alone. So a filter \

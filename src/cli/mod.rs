@@ -4,7 +4,7 @@
 //!   turn it into what the library wants and refuse what makes no sense.
 //! * One file a command: [`find`] (by [`construct`], [`anneal`], [`beam`], [`cover`], [`restarts`] or
 //!   [`portfolio`], whichever it is told to or [`choose`]s), [`locate`], [`count`] (also by [`formula`]), [`list`],
-//!   [`estimate`], [`export`] (for other solvers), [`atlas`] and [`lint`] (textures, of [`tile_pictures`]), [`formats`] (for other programs), [`resume`], [`plan`], [`part`] (the command `run`), [`merge`], [`cluster`] (job
+//!   [`estimate`], [`export`] (for other solvers), [`atlas`] and [`lint`] (textures, of [`tile_pictures`]), [`formats`] (for other programs), [`mod@aperiodic`], [`resume`], [`plan`], [`part`] (the command `run`), [`merge`], [`cluster`] (job
 //!   files), [`verify`] (with [`recursive`]), [`show`], [`sets`], [`cube`], [`walk`]; [`ring`] is the option
 //!   `--ring` of two of them.
 //! * [`session`] runs a search with limits, [`signal`]s, [`progress`], [`eta`] (the time that is
@@ -16,6 +16,7 @@
 //! Options, JSON fields and exit codes are a contract: other programs rely on them.
 
 pub mod anneal;
+pub mod aperiodic;
 pub mod args;
 pub mod atlas;
 pub mod beam;
@@ -95,6 +96,7 @@ pub fn run() -> Exit {
         Command::Atlas(args) => atlas::run(args),
         Command::Lint(args) => lint::run(args),
         Command::Export(args) => formats::run(args),
+        Command::Aperiodic(command) => aperiodic::run(command),
         Command::Verify(args) => verify::run(args),
         Command::Show(args) => show::run(args),
         Command::Sets(args) => sets::run(args),

@@ -1,0 +1,12 @@
+//! `aperiodic`: sets of tiles that fill the plane, but never periodically. One file a command.
+
+use super::args::AperiodicCommand;
+use super::exit::Exit;
+
+/// Runs one of the commands.
+///
+/// # Errors
+/// Bad input, or files that cannot be written.
+pub fn run(command: &AperiodicCommand) -> anyhow::Result<Exit> {
+    match *command {}
+}
