@@ -40,6 +40,11 @@ impl Set {
         }
     }
 
+    /// Tiles that are known to be different.
+    pub(super) fn of_different(kind: Kind, tiles: Vec<[u32; 4]>) -> Self {
+        Self { kind, tiles }
+    }
+
     /// The tiles that a packing of this set may use, by increasing number.
     ///
     /// # Errors
