@@ -87,6 +87,9 @@ fn run_page(page: &'static str) -> usize {
     std::fs::create_dir(&data).unwrap();
     for file in std::fs::read_dir(concat!(env!("CARGO_MANIFEST_DIR"), "/data")).unwrap() {
         let file = file.unwrap();
+        if file.path().is_dir() {
+            continue;
+        }
         std::fs::copy(file.path(), data.join(file.file_name())).unwrap();
     }
     let path = std::env::join_paths(

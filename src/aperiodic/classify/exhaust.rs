@@ -28,12 +28,30 @@ use std::sync::atomic::{AtomicU64, Ordering};
 type Mask = u128;
 /// Colors at most.
 pub const MOST_COLORS: u32 = 3;
-/// Cells of the tori whose tiles are ruled out before a set is decided.
-const AREA: usize = 6;
 /// Trees that threads share.
 const TASKS: usize = 512;
 /// Tiles tried around a tile, to see what is missing.
 const PATCHES: u32 = 2000;
+
+/// What to search for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Question {
+    /// Two or three.
+    pub colors: u32,
+    /// Tiles of a set at most.
+    pub most: u32,
+    /// The tiles of tori of at most so many cells are ruled out before a set is decided.
+    pub area: usize,
+    /// Whether to list the periodic sets met as well.
+    pub periodic: bool,
+}
+
+impl Question {
+    /// For sets of at most so many tiles over so many colors.
+    pub fn new(colors: u32, most: u32) -> Self {
+        Self { colors: colors.clamp(1, MOST_COLORS), most, area: 6, periodic: false }
+    }
+}
 
 /// What a search came to.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
@@ -42,6 +60,9 @@ pub struct Exhausted {
     pub tally: Tally,
     /// Those of which nothing is known, sorted.
     pub undecided: Vec<Vec<[u32; 4]>>,
+    /// The periodic sets, when asked for; sorted. All smallest ones without the tiles of a small
+    /// torus are among them, up to symmetry.
+    pub periodic: Vec<Vec<[u32; 4]>>,
     /// Sets built.
     pub nodes: u64,
     /// Whether the search went to its end.
@@ -52,6 +73,7 @@ impl Exhausted {
     fn join(mut self, mut other: Self) -> Self {
         self.tally += other.tally;
         self.undecided.append(&mut other.undecided);
+        self.periodic.append(&mut other.periodic);
         self.nodes += other.nodes;
         self.complete &= other.complete;
         self
@@ -65,7 +87,7 @@ struct Rules {
     fits: [Vec<Mask>; 4],
     /// For every tile the smallest sets with it that fill a small torus.
     periodic: Vec<Vec<Mask>>,
-    most: u32,
+    question: Question,
     bounds: Bounds,
 }
 
@@ -86,25 +108,25 @@ fn members(mut mask: Mask) -> impl Iterator<Item = usize> {
     })
 }
 
-/// Searches for aperiodic sets of at most `most` corner tiles over two or three colors.
+/// Searches for aperiodic sets. `progress` is told trees done, and how many there are.
 pub fn exhaust(
-    colors: u32,
-    most: u32,
+    question: Question,
     bounds: &Bounds,
     stop: &dyn Stop,
     progress: &(dyn Fn(u64, u64) + Sync),
 ) -> Exhausted {
     let bounds = Bounds { strips: NO_STRIPS, ..*bounds };
-    let rules = Rules::new(colors.min(MOST_COLORS), most, bounds);
+    let rules = Rules::new(question, bounds);
     let mut quick = Quick::default();
     let mut above = Exhausted { complete: true, ..Exhausted::default() };
-    let mut tasks = rules.roots(colors.min(MOST_COLORS));
+    let mut tasks = rules.roots(question.colors);
     // The same number of tasks whatever the number of threads.
-    for _ in 0..most {
+    for _ in 0..question.most {
         if tasks.len() >= TASKS {
             break;
         }
-        tasks = tasks.iter().flat_map(|&state| rules.children(state, &mut quick, &mut above)).collect();
+        tasks =
+            tasks.iter().flat_map(|&state| rules.children(state, &mut quick, &mut above)).collect();
     }
     let done = AtomicU64::new(0);
     let total = tasks.len() as u64;
@@ -112,7 +134,7 @@ pub fn exhaust(
         let mut result = Exhausted { complete: true, ..Exhausted::default() };
         let mut open = vec![state];
         while let Some(state) = open.pop() {
-            if result.nodes % 256 == 0 && stop.should_stop() {
+            if result.nodes.is_multiple_of(256) && stop.should_stop() {
                 result.complete = false;
                 break;
             }
@@ -125,11 +147,13 @@ pub fn exhaust(
     let below = tasks.par_iter().map_init(Quick::default, walk).reduce(none, Exhausted::join);
     let mut all = above.join(below);
     all.undecided.sort_unstable();
+    all.periodic.sort_unstable();
     all
 }
 
 impl Rules {
-    fn new(colors: u32, most: u32, bounds: Bounds) -> Self {
+    fn new(question: Question, bounds: Bounds) -> Self {
+        let colors = question.colors;
         let digit = |tile: u32, place: u32| tile / colors.pow(3 - place) % colors;
         let tiles: Vec<[u32; 4]> =
             (0..colors.pow(4)).map(|t| [0, 1, 2, 3].map(|place| digit(t, place))).collect();
@@ -137,19 +161,18 @@ impl Rules {
         const SHARED: [[(usize, usize); 2]; 4] =
             [[(0, 3), (1, 2)], [(1, 0), (2, 3)], [(3, 0), (2, 1)], [(0, 1), (3, 2)]];
         let fits = SHARED.map(|shared| {
-            let fit = |one: &[u32; 4], other: &[u32; 4]| {
-                shared.iter().all(|&(a, b)| one[a] == other[b])
-            };
+            let fit =
+                |one: &[u32; 4], other: &[u32; 4]| shared.iter().all(|&(a, b)| one[a] == other[b]);
             let mask = |one: &[u32; 4]| {
                 let fitting = tiles.iter().enumerate().filter(|(_, other)| fit(one, other));
                 fitting.fold(0, |mask, (tile, _)| mask | 1 << tile)
             };
             tiles.iter().map(mask).collect()
         });
-        let generators = generators(colors);
+        let generators = generators(colors, question.area);
         let of = |tile: usize| generators.iter().copied().filter(|g| g >> tile & 1 == 1).collect();
         let periodic = (0..tiles.len()).map(of).collect();
-        Self { tiles, fits, periodic, most, bounds }
+        Self { tiles, fits, periodic, question, bounds }
     }
 
     /// One tile of each class.
@@ -188,7 +211,7 @@ impl Rules {
     /// set does contain. The last is to be gone through first.
     fn children(&self, state: State, quick: &mut Quick, result: &mut Exhausted) -> Vec<State> {
         result.nodes += 1;
-        let left = self.most - state.set.count_ones();
+        let left = self.question.most - state.set.count_ones();
         let Some(candidates) = self.candidates(state, left, quick, result) else {
             return Vec::new();
         };
@@ -234,7 +257,12 @@ impl Rules {
         let verdict = quick.decide(&tiles).or_else(|| slowly(&tiles, &self.bounds, &()));
         result.tally.count(verdict);
         match verdict {
-            Some(true) => None,
+            Some(true) => {
+                if self.question.periodic {
+                    result.periodic.push(self.listed(state.set));
+                }
+                None
+            }
             _ if left == 0 => {
                 if verdict.is_none() {
                     result.undecided.push(self.listed(state.set));
@@ -281,7 +309,7 @@ impl Rules {
                 let mut patch = Patch { rules: self, state, side, budget: PATCHES, asked: 0 };
                 let mut cells = vec![None; side * side];
                 cells[side * side / 2] = Some(tile);
-                let filled = patch.fill(&mut cells, 0);
+                let filled = patch.fill(&mut cells);
                 if !filled && patch.budget > 0 {
                     let asked = patch.asked & free;
                     if asked.count_ones() < fewest.count_ones() {
@@ -311,7 +339,7 @@ struct Patch<'a> {
 impl Patch<'_> {
     /// Fills the cells from the middle on; false when it cannot be done (or the budget is used
     /// up).
-    fn fill(&mut self, cells: &mut [Option<usize>], filled: usize) -> bool {
+    fn fill(&mut self, cells: &mut [Option<usize>]) -> bool {
         if self.budget == 0 {
             return false;
         }
@@ -320,7 +348,7 @@ impl Patch<'_> {
         self.asked |= fitting & !self.state.set;
         for tile in members(fitting & self.state.set) {
             cells[cell] = Some(tile);
-            if self.fill(cells, filled + 1) {
+            if self.fill(cells) {
                 return true;
             }
         }
@@ -359,10 +387,10 @@ impl Patch<'_> {
     }
 }
 
-/// The sets of tiles of the tori of at most [`AREA`] cells, without those that contain another.
-fn generators(colors: u32) -> Vec<Mask> {
+/// The sets of tiles of the tori of at most `area` cells, without those that contain another.
+fn generators(colors: u32, area: usize) -> Vec<Mask> {
     let mut all: Vec<Mask> = Vec::new();
-    for (width, height) in (1..=AREA).flat_map(|w| (1..=AREA / w).map(move |h| (w, h))) {
+    for (width, height) in (1..=area).flat_map(|w| (1..=area / w).map(move |h| (w, h))) {
         let cells = width * height;
         for code in 0..u64::from(colors).pow(cells as u32) {
             let color = |row: usize, column: usize| {

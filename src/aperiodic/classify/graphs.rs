@@ -10,10 +10,10 @@ use crate::aperiodic::decide::on_cycles;
 use std::collections::BTreeSet;
 
 /// Arcs, from and to, in increasing order.
-pub type Arcs = Vec<(u8, u8)>;
+pub(super) type Arcs = Vec<(u8, u8)>;
 
 /// The graphs with `arcs` arcs, in increasing order of their canonical forms.
-pub fn graphs(arcs: usize) -> Vec<Arcs> {
+pub(super) fn graphs(arcs: usize) -> Vec<Arcs> {
     let mut by_size: Vec<BTreeSet<Arcs>> = vec![BTreeSet::new(); arcs + 1];
     by_size[0].insert(Vec::new());
     for size in 0..arcs {
@@ -37,10 +37,10 @@ fn is_cyclic(graph: &Arcs) -> bool {
 /// The graph with an ear of so many arcs, or with a cycle.
 fn extended(graph: &Arcs, length: usize) -> Vec<Arcs> {
     let vertices = vertices(graph);
-    let path = |from: u8, to: u8, mut between: std::ops::Range<u8>| {
+    let path = |from: u8, to: u8, between: std::ops::Range<u8>| {
         let mut arcs = graph.clone();
         let mut at = from;
-        while let Some(vertex) = between.next() {
+        for vertex in between {
             arcs.push((at, vertex));
             at = vertex;
         }
@@ -56,12 +56,12 @@ fn extended(graph: &Arcs, length: usize) -> Vec<Arcs> {
 }
 
 /// The canonical form of the graph with all arcs the other way round.
-pub fn reversed(graph: &Arcs) -> Arcs {
+pub(super) fn reversed(graph: &Arcs) -> Arcs {
     canonical(&graph.iter().map(|&(from, to)| (to, from)).collect())
 }
 
 /// The number of vertices.
-pub fn vertices(graph: &[(u8, u8)]) -> u8 {
+pub(super) fn vertices(graph: &[(u8, u8)]) -> u8 {
     graph.iter().map(|&(from, to)| from.max(to) + 1).max().unwrap_or(0)
 }
 

@@ -1,12 +1,12 @@
 //! All permutations of a few things, numbered.
 
 /// Permutations of at most this many things: three bits for each in a table.
-pub const MOST: usize = 7;
+pub(super) const MOST: usize = 7;
 
 /// The permutations of n things in lexicographic order.
-pub struct Permutations {
+pub(super) struct Permutations {
     /// The images, one permutation after the other.
-    pub all: Vec<Vec<u8>>,
+    pub(super) all: Vec<Vec<u8>>,
     /// Their numbers, by images packed in three bits each.
     numbers: Vec<u16>,
 }
@@ -17,7 +17,7 @@ fn packed(images: impl Iterator<Item = u8>) -> usize {
 
 impl Permutations {
     /// Of n things, at most [`MOST`].
-    pub fn new(n: usize) -> Self {
+    pub(super) fn new(n: usize) -> Self {
         let mut all: Vec<Vec<u8>> = vec![Vec::new()];
         for _ in 0..n {
             let longer = all.iter().flat_map(|begun| {
@@ -34,7 +34,7 @@ impl Permutations {
     }
 
     /// The number of the permutation with these images.
-    pub fn number(&self, images: impl Iterator<Item = u8>) -> usize {
+    pub(super) fn number(&self, images: impl Iterator<Item = u8>) -> usize {
         self.numbers[packed(images)].into()
     }
 }

@@ -143,7 +143,8 @@ impl Sets {
                 (0..).zip(images).for_each(|(at, &image)| inverse[usize::from(image)] = at);
                 self.mark(&mut marked, &inverse, rows, columns);
             }
-            for (tile, (&(west, east), &image)) in tiles.iter_mut().zip(rows.arcs.iter().zip(images))
+            for (tile, (&(west, east), &image)) in
+                tiles.iter_mut().zip(rows.arcs.iter().zip(images))
             {
                 let (north, south) = columns.arcs[usize::from(image)];
                 *tile = [north, east, south, west].map(u32::from);

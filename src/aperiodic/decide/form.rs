@@ -64,9 +64,8 @@ pub fn useful(tiles: &[Tile]) -> Vec<usize> {
 
 /// Tiles that lack a neighbor, and on which sides (0 to 3: N, E, S, W).
 pub fn lonely(tiles: &[Tile]) -> Vec<(usize, Vec<usize>)> {
-    let lacks = |tile: &Tile, side: usize| {
-        !tiles.iter().any(|other| other[(side + 2) % 4] == tile[side])
-    };
+    let lacks =
+        |tile: &Tile, side: usize| !tiles.iter().any(|other| other[(side + 2) % 4] == tile[side]);
     let sides = |tile: &Tile| (0..4).filter(|&side| lacks(tile, side)).collect::<Vec<_>>();
     let all = tiles.iter().map(sides).enumerate();
     all.filter(|(_, sides)| !sides.is_empty()).collect()

@@ -144,7 +144,9 @@ impl Power {
         let step = |step: &(u32, [u32; 3])| step.1;
         loop {
             steps.clear();
-            steps.extend(self.arcs.iter().map(|a| (a.from, [a.read, a.write, class[a.to as usize]])));
+            steps.extend(
+                self.arcs.iter().map(|a| (a.from, [a.read, a.write, class[a.to as usize]])),
+            );
             steps.sort_unstable();
             steps.dedup();
             let mut of_state: Vec<&[(u32, [u32; 3])]> = steps.chunk_by(|a, b| a.0 == b.0).collect();

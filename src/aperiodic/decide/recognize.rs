@@ -100,8 +100,7 @@ fn renaming(kind: Kind, first: &[[u32; 4]], second: &[[u32; 4]]) -> Option<Vec<u
     // For each tile matched: the one it becomes, and the sides with new names.
     let mut path: Vec<(usize, Vec<usize>)> = Vec::new();
     let mut next = 0;
-    loop {
-        let Some(&tile) = order.get(path.len()) else { break };
+    while let Some(&tile) = order.get(path.len()) {
         let choice = (next..second.len()).find_map(|to| {
             let may = !used[to] && one[tile] == other[to];
             let new = if may { names.take(spaces, first[tile], second[to]) } else { None };

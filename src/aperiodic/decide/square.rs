@@ -71,7 +71,7 @@ pub fn fill(tiles: &[Tile], side: usize, nodes: u64, stop: &dyn Stop) -> Square 
         match choices.get(next) {
             Some(&tile) if !known => {
                 placed += 1;
-                if placed > nodes || placed % 4096 == 0 && stop.should_stop() {
+                if placed > nodes || placed.is_multiple_of(4096) && stop.should_stop() {
                     return Square::Stopped;
                 }
                 path.push((next, border[column], west));
