@@ -9,7 +9,7 @@ use tilepack::aperiodic::classify::Quick;
 use tilepack::aperiodic::decide::square::{Square, fill};
 use tilepack::aperiodic::decide::{Bounds, Verdict, decide, lonely, useful, wang};
 use tilepack::tiles::Kind;
-use tilepack::verify::{Claim, check_claim};
+use tilepack::verify::{Claim, ClaimFault, check_claim};
 
 /// Cells of a torus that are tried.
 const AREA: usize = 9;
@@ -40,6 +40,18 @@ fn agrees(kind: Kind, tiles: Vec<[u32; 4]>) -> &'static str {
             let tried = smallest_square(&tiles, corner, SIDE);
             assert_eq!(tried, (side <= SIDE).then_some(side), "{tiles:?}");
             assert_eq!(smallest_torus(&tiles, corner, 6), None);
+            // Without squares the empty power itself is the proof.
+            let no_squares = Bounds { nodes: 0, ..Bounds::default() };
+            let Verdict::NoStrip(strip) = decide(&forms, &no_squares, &()) else {
+                panic!("{tiles:?}")
+            };
+            let claim = Claim::NoStrip { rows: strip.rows, power: strip.power };
+            assert_eq!(check_claim(kind, &tiles, &claim, 1 << 20), Ok(()), "{tiles:?}");
+            if strip.power > 1 {
+                let claim = Claim::NoStrip { rows: strip.rows, power: strip.power - 1 };
+                let said = check_claim(kind, &tiles, &claim, 1 << 20);
+                assert!(matches!(said, Err(ClaimFault::Left { .. })), "{tiles:?}");
+            }
             "no tiling"
         }
         other => panic!("{tiles:?}: {other:?}"),
