@@ -62,6 +62,22 @@ fn they_are_recognized_in_any_guise() {
             let (other, sides) = (set.tiles().to_vec(), like.sides);
             let claim = Claim::Like { other, sides, images: like.tiles };
             assert_eq!(check_claim(Kind::Wang, guise.tiles(), &claim, 0), Ok(()), "{name}");
+            // No other symmetry and no other images will do.
+            let Claim::Like { other, sides, images } = claim else { panic!() };
+            let refused = |sides, images: &[usize]| {
+                let claim = Claim::Like { other: other.clone(), sides, images: images.to_vec() };
+                check_claim(Kind::Wang, guise.tiles(), &claim, 0).is_err()
+            };
+            for turned in SYMMETRIES.into_iter().filter(|turned| *turned != sides) {
+                assert!(refused(turned, &images), "{name}");
+            }
+            assert!(refused([0, 2, 1, 3], &images) && refused([4, 5, 6, 7], &images));
+            let mut swapped = images.clone();
+            let pair: [usize; 2] = std::array::from_fn(|i| (random.random_range(0..5) * 2) + i);
+            swapped.swap(pair[0], pair[1]);
+            assert!(refused(sides, &swapped), "{name}");
+            swapped[pair[0]] = swapped[pair[1]];
+            assert!(refused(sides, &swapped) && refused(sides, &images[1..]), "{name}");
             // With one label of one tile changed it is another set.
             let mut tiles = guise.tiles().to_vec();
             let (tile, side) = (random.random_range(0..tiles.len()), random.random_range(0..4));
