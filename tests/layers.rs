@@ -67,7 +67,7 @@ const CRATES: &[(&str, &[&str])] = &[
     ("indicatif", &["cli/progress.rs"]),
     ("bincode", &["store/codec.rs"]),
     ("serde_json", &["store/", "cli/", "atlas/"]),
-    ("rayon", &["packing/", "symmetry/", "atlas/", "cli/"]),
+    ("rayon", &["packing/", "symmetry/", "atlas/", "aperiodic/classify/", "cli/"]),
     ("crossbeam", &["search/", "store/keeping.rs"]),
     ("rand", &["search/estimate/", "anneal/", "beam/", "patch/", "compact/", "construct/"]),
     ("rand_pcg", &["search/estimate/", "anneal/", "beam/", "patch/", "compact/", "construct/"]),

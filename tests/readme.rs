@@ -15,6 +15,7 @@ const PAGES: &[(&str, &str, usize)] = &[
     ("README.md", README, 10),
     ("docs/long-runs.md", include_str!("../docs/long-runs.md"), 15),
     ("docs/boards.md", include_str!("../docs/boards.md"), 8),
+    ("docs/classification.md", include_str!("../docs/classification.md"), 10),
     ("docs/coverings.md", include_str!("../docs/coverings.md"), 3),
     ("docs/exports.md", include_str!("../docs/exports.md"), 6),
     ("docs/search.md", include_str!("../docs/search.md"), 2),
@@ -87,7 +88,16 @@ fn run_page(page: &'static str) -> usize {
     std::fs::create_dir(&data).unwrap();
     for file in std::fs::read_dir(concat!(env!("CARGO_MANIFEST_DIR"), "/data")).unwrap() {
         let file = file.unwrap();
-        std::fs::copy(file.path(), data.join(file.file_name())).unwrap();
+        if !file.path().is_dir() {
+            std::fs::copy(file.path(), data.join(file.file_name())).unwrap();
+            continue;
+        }
+        let inner = data.join(file.file_name());
+        std::fs::create_dir(&inner).unwrap();
+        for file in std::fs::read_dir(file.path()).unwrap() {
+            let file = file.unwrap();
+            std::fs::copy(file.path(), inner.join(file.file_name())).unwrap();
+        }
     }
     let path = std::env::join_paths(
         std::iter::once(binary.parent().unwrap().to_owned())

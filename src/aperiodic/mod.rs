@@ -3,8 +3,12 @@
 //!
 //! * [`Set`] is a list of tiles with labels of any size.
 //! * [`mod@convert`] makes corner sets of Wang sets, and back; [`sound`] says what that proves.
+//! * [`mod@decide`] says whether a set fills the plane, and how.
+//! * [`classify`] does so for all sets of a size.
 
+pub mod classify;
 pub mod convert;
+pub mod decide;
 mod set;
 pub mod sound;
 

@@ -249,6 +249,45 @@ JSON fields (--json): result (written), format, variables, clauses, file; with -
 /// Examples for `aperiodic`.
 pub const APERIODIC: &str = "";
 
+/// Examples for `aperiodic decide`.
+pub const DECIDE: &str = "\
+A set of tiles is read as a machine whose k-th power writes below k rows what it reads above them. \
+An empty power says that there is no tiling, a cycle that writes what it reads that there is one with \
+two periods; no program decides all sets. Published aperiodic sets are recognized, up to symmetry and \
+the names of labels. Every verdict is checked by code that shares nothing with what found it, and so \
+is a certificate by verify.
+
+Examples:
+  tilepack aperiodic decide set.json
+  tilepack aperiodic decide set.json --limit 30 --certificate proof.json; tilepack verify proof.json
+
+Exit codes: 0 when the set fills the plane, 1 when it does not, 75 when it is undecided.
+
+JSON fields (--json): verdict (no-tiling, periodic, undecided or aperiodic), width, height (of the \
+torus), limit, status (how it is known), torus (numbers of tiles) and smallest, or square and nodes (a \
+string of digits), or rows or columns (the empty power), or name and source; useful (tiles that are on \
+cycles), lonely (tiles without a neighbor on some side), seconds, file.";
+
+/// Examples for `aperiodic classify`.
+pub const CLASSIFY: &str = "\
+Sets of N Wang tiles: those in which every tile is on a cycle of labels along and on one downward, up \
+to the names of labels and what --up-to says. All 65,536 sets of corner tiles over two colors. Or a \
+proof that no set of at most N corner tiles is aperiodic. docs/classification.md tells what is counted.
+
+Parts are independent and give the same sums in any order; a part that was stopped is run again.
+
+Examples:
+  tilepack aperiodic classify --kind wang --tiles 4
+  tilepack aperiodic classify --kind corner --colors 2
+  tilepack aperiodic classify --kind corner --colors 3 --tiles 6
+  tilepack aperiodic classify --kind wang --tiles 5 --part 0/2 -o 0.json
+  tilepack aperiodic classify --kind wang --tiles 5 --part 1/2 -o 1.json
+  tilepack aperiodic classify --merge 0.json 1.json
+
+JSON fields (--json): result (complete or stopped), kind, tiles, colors, up_to, limit, part, parts, done, \
+missing, sets, periodic, no_tiling, undecided (strings of digits), undecided_sets, generators (over two \
+colors: tiles, cells of the torus, cells of a period), nodes (a string of digits), no_aperiodic, seconds.";
+
 /// Examples for `atlas`.
 pub const ATLAS: &str = "\
 The picture of a tile depends, within the strip, on the colors of that side alone. So a filter \

@@ -2,6 +2,7 @@
 //!
 //! The packings of a list are checked in chunks on all threads; reports keep their order.
 
+use super::aperiodic::claims::{ClaimReport, holds_claim};
 use super::args::VerifyArgs;
 use super::cube::CubeReport;
 use super::exit::Exit;
@@ -35,6 +36,17 @@ pub fn run(args: &VerifyArgs) -> anyhow::Result<Exit> {
         {
             let about_tiles = args.recursive || claim != Claim::default();
             let report = CubeReport::new(file.display().to_string(), input, about_tiles);
+            exit = worse(exit, report.exit());
+            match args.json {
+                true => objects.push(report.object()),
+                false => report.print(args.quiet)?,
+            }
+            continue;
+        }
+        if let Ok(input) = input.as_ref()
+            && holds_claim(input)
+        {
+            let report = ClaimReport::new(file.display().to_string(), input);
             exit = worse(exit, report.exit());
             match args.json {
                 true => objects.push(report.object()),

@@ -20,11 +20,13 @@ mod members;
 mod neighbors;
 mod occurrences;
 mod recursion;
+mod refutation;
 mod rows;
 
 pub use cubes::{CubePlace, CubesFault, check_cube_packing};
 pub use fault::{Fault, Place, Tile, Touch};
 pub use recursion::{Block, NotRecursive, Recursion, check_recursion};
+pub use refutation::{Claim, ClaimFault, check_claim};
 pub use rows::{RowCheck, RowFault};
 
 use crate::tiles::Kind;
