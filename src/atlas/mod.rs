@@ -8,11 +8,15 @@
 //! endless tiling.
 //!
 //! * [`Image`] is a picture in memory, [`Format`] how its samples are to be read;
-//! * [`TileImages`] draws the tiles of a set, [`palette`] gives colors their look.
+//! * [`TileImages`] draws the tiles of a set, [`palette`] gives colors their look;
+//! * [`formats`] are those of other programs, [`picture`] draws for people, [`demo`] lays tiles.
 
+pub mod demo;
 mod error;
+pub mod formats;
 mod image;
 pub mod palette;
+pub mod picture;
 mod tile_images;
 
 pub use error::AtlasError;
