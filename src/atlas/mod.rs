@@ -17,6 +17,7 @@ pub mod formats;
 mod image;
 pub mod palette;
 pub mod picture;
+pub mod plain_png;
 mod tile_images;
 
 pub use error::AtlasError;

@@ -52,7 +52,8 @@ pub fn write_tres(out: &mut dyn Write, sheet: &Sheet<'_>) -> io::Result<()> {
     }
     writeln!(out, "\n[resource]\ntile_size = Vector2i({tile}, {tile})")?;
     writeln!(out, "terrain_set_0/mode = {mode}")?;
-    let first = (0..colors.horizontal()).map(|c| (if is_wang { "north-south" } else { "corner" }, c));
+    let first =
+        (0..colors.horizontal()).map(|c| (if is_wang { "north-south" } else { "corner" }, c));
     let second = (0..if is_wang { colors.vertical() } else { 0 }).map(|c| ("east-west", c));
     for (terrain, (name, color)) in first.chain(second).enumerate() {
         let [r, g, b] = palette::rgb((terrain % 256) as u8).map(|level| {

@@ -41,7 +41,10 @@ pub fn write_obj(
         let (left, top) = sheet.corner(cell);
         let [left, right] = [left, left + sheet.tile].map(|x| ratio(x, width));
         let [top, bottom] = [top, top + sheet.tile].map(|y| ratio(height - y, height));
-        writeln!(out, "vt {left} {bottom}\nvt {right} {bottom}\nvt {right} {top}\nvt {left} {top}")?;
+        writeln!(
+            out,
+            "vt {left} {bottom}\nvt {right} {bottom}\nvt {right} {top}\nvt {left} {top}"
+        )?;
     }
     writeln!(out, "vn 0 0 1\nusemtl atlas\ns off")?;
     let cells = sheet.cells();

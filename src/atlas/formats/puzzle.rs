@@ -12,9 +12,9 @@
 //!
 //! Lengths within an edge are in sides of a piece; see [`Knob`] for why knobs stay apart.
 
+use crate::atlas::AtlasError;
 use crate::atlas::picture::path::QUARTER;
 use crate::atlas::picture::{Path, Point, digits, svg};
-use crate::atlas::AtlasError;
 use crate::tiles::Kind;
 use crate::torus::Packing;
 use std::io::{self, Write};
@@ -166,9 +166,8 @@ impl<'a> Puzzle<'a> {
     fn cut(&self, path: &mut Path, axis: Axis, row: usize, column: usize) {
         let r = self.knob.radius;
         for place in self.knobs(axis, row, column) {
-            let at = |along: f64, across: f64| {
-                self.at(axis, row, column, place + r * along, r * across)
-            };
+            let at =
+                |along: f64, across: f64| self.at(axis, row, column, place + r * along, r * across);
             path.line_to(at(-0.6, 0.0));
             if axis == Axis::Row {
                 // A disc around (0, 0.8) whose part above the line is missing. On an arc from

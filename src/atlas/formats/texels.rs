@@ -47,7 +47,8 @@ impl Texels {
         }
         let most = usize::BITS - first.width().max(first.height()).leading_zeros();
         if levels.len() > most as usize {
-            let message = format!("{} mip levels, but level {} is one texel", levels.len(), most - 1);
+            let message =
+                format!("{} mip levels, but level {} is one texel", levels.len(), most - 1);
             return asked(message);
         }
         Ok(match (first.format().depth, first.format().light) {

@@ -110,7 +110,8 @@ pub fn read(text: &str, choice: Choice<'_>) -> Result<Wangset, Malformed> {
         Some('<') => wangsets_xml::read(text)?,
         Some('{') => wangsets_json::read(text)?,
         _ => {
-            let message = "expected a tile set or map of Tiled: XML (.tsx, .tmx) or JSON (.tsj, .tmj)";
+            let message =
+                "expected a tile set or map of Tiled: XML (.tsx, .tmx) or JSON (.tsj, .tmj)";
             return Err(malformed(text, start, message));
         }
     };

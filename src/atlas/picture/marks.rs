@@ -90,7 +90,11 @@ impl Marks {
     /// Draws a tile whose north-west corner is here.
     pub fn tile(&mut self, tile: TileId, at: Point) {
         let sides = self.kind.unpack(tile, self.colors);
-        if self.kind == Kind::Wang { self.wang(sides, at) } else { self.corner(sides, at) }
+        if self.kind == Kind::Wang {
+            self.wang(sides, at)
+        } else {
+            self.corner(sides, at)
+        }
         let (x, y) = at;
         if self.detail.lines {
             self.lines.rectangle(x, y, 1.0, 1.0);

@@ -121,7 +121,8 @@ impl Path {
                 Command::Cubic(first, second, to) => {
                     for i in 1..=PIECES {
                         let t = f64::from(i) / f64::from(PIECES);
-                        let [a, b, c] = [mix(at, first, t), mix(first, second, t), mix(second, to, t)];
+                        let [a, b, c] =
+                            [mix(at, first, t), mix(first, second, t), mix(second, to, t)];
                         let [a, b] = [mix(a, b, t), mix(b, c, t)];
                         extend(&mut parts, scaled(mix(a, b, t)));
                     }

@@ -70,7 +70,12 @@ impl Pen<'_> {
                 let length = ((bx - ax) * (bx - ax) + (by - ay) * (by - ay)).sqrt();
                 if length > 0.0 {
                     let (nx, ny) = ((by - ay) / length * half, (ax - bx) / length * half);
-                    let corners = [(ax + nx, ay + ny), (bx + nx, by + ny), (bx - nx, by - ny), (ax - nx, ay - ny)];
+                    let corners = [
+                        (ax + nx, ay + ny),
+                        (bx + nx, by + ny),
+                        (bx - nx, by - ny),
+                        (ax - nx, ay - ny),
+                    ];
                     parts.push(corners.to_vec());
                 }
             }

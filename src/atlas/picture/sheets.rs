@@ -84,7 +84,8 @@ pub fn contact_sheet(packing: &Packing, size: u32) -> Scene {
 
 /// A piece of a tiling, without lines between tiles and without numbers: as a whole.
 pub fn tiling(packing: &Packing, demo: &Demo, size: u32, indices: bool) -> Scene {
-    let detail = Detail { glyphs: false, lines: indices, ..detail(demo.tiles.len(), size, indices) };
+    let detail =
+        Detail { glyphs: false, lines: indices, ..detail(demo.tiles.len(), size, indices) };
     let mut marks = Marks::new(&packing.set, detail);
     let width = demo.shape.width();
     for (cell, &tile) in demo.tiles.iter().enumerate() {

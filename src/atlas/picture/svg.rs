@@ -12,7 +12,10 @@ use std::io::{self, Write};
 pub fn write_svg(out: &mut dyn Write, scene: &Scene, size: u32, title: &str) -> io::Result<()> {
     let size = f64::from(size);
     let (width, height) = (number(scene.width * size), number(scene.height * size));
-    write!(out, "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{width}\" height=\"{height}\" ")?;
+    write!(
+        out,
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{width}\" height=\"{height}\" "
+    )?;
     writeln!(out, "viewBox=\"0 0 {width} {height}\">")?;
     writeln!(out, "<title>{}</title>", escape(title))?;
     writeln!(out, "<path fill=\"#fff\" d=\"M0 0h{width}v{height}h-{width}z\"/>")?;
