@@ -198,11 +198,11 @@ fn tiling(args: &ExportArgs, packing: &Packing, most: usize) -> anyhow::Result<D
 /// How a tiling was laid.
 fn laid(demo: &Demo) -> Told {
     let how = match demo.how {
-        How::Colors => "random colors",
+        How::Colors => "by random colors",
         How::TileByTile => "tile by tile",
-        How::Repeated => "the packing repeated",
+        How::Repeated => "as the packing repeated",
     };
-    Told { fields: vec![("tiling", json!(how))], remark: format!("a tiling by {how}") }
+    Told { fields: vec![("tiling", json!(how))], remark: format!("a tiling laid {how}") }
 }
 
 /// Writes text or bytes, whole or not at all.

@@ -53,7 +53,7 @@ struct Knob {
 }
 
 /// One knob an edge.
-const WANG: Knob = Knob { radius: 0.085, first: 0.27, range: 0.6, second: None };
+const WANG: Knob = Knob { radius: 0.085, first: 0.27, range: 0.56, second: None };
 /// Two knobs an edge.
 const CORNER: Knob = Knob { radius: 0.045, first: 0.16, range: 0.27, second: Some(0.57) };
 

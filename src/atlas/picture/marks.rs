@@ -23,6 +23,9 @@ const GROUND: [u8; 3] = [241, 239, 233];
 const RADIUS: f64 = 0.4;
 /// Width of lines around tiles.
 const LINE: f64 = 0.016;
+/// Width of the strokes that close the seams between triangles: two neighbors that each cover
+/// half of a texel do not cover it all.
+const SEAM: f64 = 0.02;
 /// From the corner of a corner tile to the number of its color, across and down.
 const CORNER_GLYPH: f64 = 0.155;
 /// From the edge of a Wang tile to the number of its color.
@@ -159,6 +162,9 @@ impl Marks {
     pub fn put(self, scene: &mut Scene) {
         scene.draw(self.ground, Paint::Fill, GROUND);
         for (look, path) in self.fills {
+            if self.kind == Kind::Wang && !self.detail.lines {
+                scene.draw(path.clone(), Paint::Stroke(SEAM), look);
+            }
             scene.draw(path, Paint::Fill, look);
         }
         scene.draw(self.lines, Paint::Stroke(LINE), INK);

@@ -12,12 +12,13 @@ pub const MAX_TILES: usize = 1 << 16;
 /// Tiles up to which colors are numbered: more would be dust.
 const WITH_GLYPHS: usize = 1024;
 
-/// Texels of a tile from which colors are numbered.
+/// Texels of a tile from which colors are numbered and tiles have lines around them.
 const LEGIBLE: u32 = 24;
 
 /// What to draw of so many tiles of so many texels.
 fn detail(tiles: usize, size: u32, indices: bool) -> Detail {
-    Detail { glyphs: tiles <= WITH_GLYPHS && size >= LEGIBLE, indices, lines: true }
+    let legible = size >= LEGIBLE;
+    Detail { glyphs: legible && tiles <= WITH_GLYPHS, indices, lines: legible }
 }
 
 /// The packing, and around it, faded, the tiles of the other side: the torus closes.
