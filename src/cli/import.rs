@@ -76,6 +76,13 @@ fn remark(wangset: &Wangset) {
         wangset.name,
         describe::set(&wangset.set)
     ));
+    let (kind, colors) = (wangset.set.kind(), wangset.set.colors());
+    if wangset.set.size() == kind.tiles(colors) {
+        let known = format!("--kind {kind} --colors {colors}");
+        output::remark(&format!(
+            "these are all tiles over their colors: find knows them as {known}"
+        ));
+    }
     if !wangset.doubles.is_empty() {
         let listed = wangset.doubles.iter().map(|(id, first)| format!("{id} (as {first})"));
         let listed: Vec<String> = listed.collect();

@@ -61,7 +61,8 @@ fn model() {
     let text = text(|out| Ok(obj::write_obj(out, &sheet, &demo, "a.mtl")?));
     let numbers =
         |line: &str| -> Vec<f64> { line.split(' ').skip(1).map(|n| n.parse().unwrap()).collect() };
-    let of = |key: &'static str| text.lines().filter(move |line| line.split(' ').next() == Some(key));
+    let of =
+        |key: &'static str| text.lines().filter(move |line| line.split(' ').next() == Some(key));
     let vertices: Vec<_> = of("v").map(numbers).collect();
     let coordinates: Vec<_> = of("vt").map(numbers).collect();
     assert_eq!((vertices.len(), of("f").count(), of("mtllib").count()), (24, 15, 1));

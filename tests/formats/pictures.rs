@@ -17,8 +17,9 @@ fn written(scene: &Scene, size: u32) -> String {
 fn rendered(scene: &Scene, size: u32) -> Pixmap {
     let svg = written(scene, size);
     assert!(!svg.contains("<text") && !svg.contains("font"));
+    let round = |side: f32| side.round() as u32;
     let tree = Tree::from_str(&svg, &Options::default()).unwrap();
-    let mut pixmap = Pixmap::new(tree.size().width() as u32, tree.size().height() as u32).unwrap();
+    let mut pixmap = Pixmap::new(round(tree.size().width()), round(tree.size().height())).unwrap();
     resvg::render(&tree, Transform::identity(), &mut pixmap.as_mut());
     pixmap
 }

@@ -76,7 +76,10 @@ fn tiled_keeps_the_colors() {
         let sheet = sheet(&packing, margin, spacing);
         let place = Place::new();
         let ours = text(|out| write_tsx(out, &sheet, "set"));
-        place.write("ours.tsx", &ours);
+        // Without the picture Tiled would count no tiles.
+        let mut png = Vec::new();
+        plain_png::write(&mut png, &picture(&sheet)).unwrap();
+        place.write("ours.tsx", &ours).write("atlas.png", png);
         let Some(output) =
             tiled(&place, "tiled", &["--export-tileset", "json", "ours.tsx", "back.tsj"])
         else {

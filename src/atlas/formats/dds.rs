@@ -41,7 +41,7 @@ pub fn write_dds(out: &mut dyn Write, levels: &[Image]) -> Result<(), AtlasError
         out.write_all(&word.to_le_bytes())?;
     }
     for level in levels {
-        out.write_all(&texels.encode(level))?;
+        texels.write(out, level)?;
     }
     Ok(())
 }

@@ -63,7 +63,7 @@ pub fn write_ktx2(out: &mut dyn Write, levels: &[Image]) -> Result<(), AtlasErro
     let mut at = keys_at + keys.len();
     for (&(offset, length), level) in places.iter().zip(levels).rev() {
         out.write_all(&vec![0; offset - at])?;
-        out.write_all(&texels.encode(level))?;
+        texels.write(out, level)?;
         at = offset + length;
     }
     Ok(())

@@ -2,6 +2,7 @@
 //! chain of pictures each half as wide and high as the one before.
 
 use crate::atlas::{AtlasError, Channels, Depth, Image, Light};
+use std::io::{self, Write};
 
 /// The texel formats that are written.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -58,12 +59,16 @@ impl Texels {
         })
     }
 
-    /// A picture in this format, low bytes first.
-    pub(super) fn encode(self, image: &Image) -> Vec<u8> {
-        let mut bytes = Vec::with_capacity(image.width() * image.height() * self.bytes());
+    /// Writes a picture in this format, low bytes first.
+    pub(super) fn write(self, out: &mut dyn Write, image: &Image) -> io::Result<()> {
         let format = image.format();
+        if self != Texels::Linear16 && format.channels == Channels::Rgba {
+            return out.write_all(image.data());
+        }
         let decode = self == Texels::Linear16 && format.light == Light::Srgb;
+        let mut row = Vec::with_capacity(image.width() * self.bytes());
         for y in 0..image.height() {
+            row.clear();
             for x in 0..image.width() {
                 let sample = |channel| image.sample(x, y, channel);
                 let (color, alpha) = match format.channels {
@@ -75,13 +80,14 @@ impl Texels {
                 let color = if decode { color.map(linear) } else { color };
                 for sample in color.into_iter().chain([alpha]) {
                     match self {
-                        Texels::Linear16 => bytes.extend(sample.to_le_bytes()),
-                        _ => bytes.push(sample as u8),
+                        Texels::Linear16 => row.extend(sample.to_le_bytes()),
+                        _ => row.push(sample as u8),
                     }
                 }
             }
+            out.write_all(&row)?;
         }
-        bytes
+        Ok(())
     }
 }
 

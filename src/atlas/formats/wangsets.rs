@@ -73,8 +73,6 @@ pub(super) struct RawSet {
     pub(super) kind: String,
     pub(super) colors: usize,
     pub(super) tiles: Vec<RawTile>,
-    /// How many tiles the picture has.
-    pub(super) count: Option<u64>,
     /// Where it stands, in bytes.
     pub(super) at: usize,
 }
@@ -195,10 +193,6 @@ impl Reader<'_> {
         let mut tiles = Tiles { colored: Vec::new(), unset: Vec::new() };
         for tile in &self.raw.tiles {
             let id = tile.id;
-            if let Some(count) = self.raw.count.filter(|&count| id >= count) {
-                let message = format!("tile {id}: expected 0 to {}", count.saturating_sub(1));
-                return Err(self.error(tile.at, message));
-            }
             if !seen.insert(id) {
                 return Err(self.error(tile.at, format!("tile {id} has a second wangid")));
             }

@@ -17,8 +17,6 @@ struct Tileset<'a> {
     #[serde(borrow, default)]
     wangsets: Vec<Wangset<'a>>,
     #[serde(default)]
-    tilecount: Option<u64>,
-    #[serde(default)]
     transformations: Transformations,
     #[serde(default)]
     source: Option<String>,
@@ -72,13 +70,13 @@ pub(super) fn read(text: &str) -> Result<Raw, Malformed> {
         raw.transformed |= hflip || vflip || rotate;
         raw.elsewhere.extend(tileset.source);
         for wangset in tileset.wangsets {
-            raw.wangsets.push(read_set(text, &wangset, tileset.tilecount));
+            raw.wangsets.push(read_set(text, &wangset));
         }
     }
     Ok(raw)
 }
 
-fn read_set(text: &str, wangset: &Wangset<'_>, count: Option<u64>) -> RawSet {
+fn read_set(text: &str, wangset: &Wangset<'_>) -> RawSet {
     // A wangset is found by its first tile: what is borrowed from the text knows its place.
     let place = |part: &str| (part.as_ptr() as usize).saturating_sub(text.as_ptr() as usize);
     let tiles: Vec<RawTile> = wangset
@@ -94,7 +92,6 @@ fn read_set(text: &str, wangset: &Wangset<'_>, count: Option<u64>) -> RawSet {
         name: wangset.name.clone(),
         kind: wangset.kind.clone(),
         colors: wangset.colors.len(),
-        count,
         at: tiles.first().map_or(0, |tile| tile.at),
         tiles,
     }

@@ -31,17 +31,16 @@ pub(super) fn read(text: &str) -> Result<Raw, Malformed> {
         let turned = ["hflip", "vflip", "rotate"];
         raw.transformed |= children("transformations")
             .any(|node| turned.iter().any(|name| node.attribute(*name).is_some_and(|v| v != "0")));
-        let count = tileset.attribute("tilecount").and_then(|count| count.parse().ok());
         for wangsets in children("wangsets") {
             for node in wangsets.children().filter(|node| node.has_tag_name("wangset")) {
-                raw.wangsets.push(wangset(text, node, count)?);
+                raw.wangsets.push(wangset(text, node)?);
             }
         }
     }
     Ok(raw)
 }
 
-fn wangset(text: &str, node: Node<'_, '_>, count: Option<u64>) -> Result<RawSet, Malformed> {
+fn wangset(text: &str, node: Node<'_, '_>) -> Result<RawSet, Malformed> {
     let mut tiles = Vec::new();
     for tile in node.children().filter(|node| node.has_tag_name("wangtile")) {
         let at = tile.range().start;
@@ -59,7 +58,6 @@ fn wangset(text: &str, node: Node<'_, '_>, count: Option<u64>) -> Result<RawSet,
         kind: node.attribute("type").unwrap_or_default().to_owned(),
         colors: node.children().filter(|node| node.has_tag_name("wangcolor")).count(),
         tiles,
-        count,
         at: node.range().start,
     })
 }

@@ -1,10 +1,11 @@
 //! Scenes as texels.
 //!
-//! Each part of a path is filled by itself: in every row of texels at eight heights, between the
-//! places where its outline crosses, by the rule of non-zero winding; across, the covered part of
-//! a texel is exact. A stroke is the union of rectangles along its lines and discs at its points.
+//! Each part of a path covers some of every texel: looked at are eight heights in a row of texels,
+//! and there what lies between the places where the outline crosses, by the rule of non-zero
+//! winding. A stroke is the union of rectangles along its lines and discs at its points. Parts of
+//! an area lie side by side, so that what they cover adds up; parts of strokes lie on each other.
 
-use super::{Paint, Path, Point, Scene};
+use super::{Paint, Path, Point, Scene, Shape};
 use crate::atlas::{Channels, Depth, Format, Image, Light};
 
 /// Heights in a row of texels at which an outline is looked at.
@@ -37,27 +38,48 @@ pub fn draw(scene: &Scene, size: u32) -> Image {
     for y in 0..image.height() {
         image.row_mut(y).fill(255);
     }
+    let (width, height) = (image.width(), image.height());
     for shape in &scene.shapes {
-        let mut pen = Pen { image: &mut image, color: shape.color, opacity: shape.opacity };
+        let mut mask = Mask { width, height, covered: vec![0; width * height] };
         match shape.paint {
             Paint::Fill => {
                 for (points, _) in shape.path.flattened(scale) {
-                    pen.fill(&[points]);
+                    mask.add(&[points], u8::saturating_add);
                 }
             }
-            Paint::Stroke(width) => pen.stroke(&shape.path, scale, width * scale / 2.0),
+            Paint::Stroke(width) => mask.stroke(&shape.path, scale, width * scale / 2.0),
+        }
+        for (y, covered) in mask.covered.chunks(width).enumerate() {
+            paint(image.row_mut(y), covered, shape);
         }
     }
     image
 }
 
-struct Pen<'a> {
-    image: &'a mut Image,
-    color: [u8; 3],
-    opacity: u8,
+/// Mixes the color of a shape into a row.
+fn paint(row: &mut [u8], covered: &[u8], shape: &Shape) {
+    for (texel, &covered) in row.chunks_exact_mut(3).zip(covered) {
+        if covered > 0 {
+            let part = u32::from(covered) * u32::from(shape.opacity);
+            for (sample, of) in texel.iter_mut().zip(shape.color) {
+                let mixed = u32::from(*sample) * (ALL - part) + u32::from(of) * part;
+                *sample = ((mixed + ALL / 2) / ALL) as u8;
+            }
+        }
+    }
 }
 
-impl Pen<'_> {
+/// A texel that is covered, by what lets nothing through.
+const ALL: u32 = 255 * 100;
+
+/// How much of each texel is covered, of 255.
+struct Mask {
+    width: usize,
+    height: usize,
+    covered: Vec<u8>,
+}
+
+impl Mask {
     fn stroke(&mut self, path: &Path, scale: f64, half: f64) {
         let disc = |(x, y): Point| DISC.map(|(dx, dy)| (x + dx * half, y + dy * half)).to_vec();
         for (mut points, closed) in path.flattened(scale) {
@@ -70,36 +92,31 @@ impl Pen<'_> {
                 let length = ((bx - ax) * (bx - ax) + (by - ay) * (by - ay)).sqrt();
                 if length > 0.0 {
                     let (nx, ny) = ((by - ay) / length * half, (ax - bx) / length * half);
-                    let corners = [
-                        (ax + nx, ay + ny),
-                        (bx + nx, by + ny),
-                        (bx - nx, by - ny),
-                        (ax - nx, ay - ny),
-                    ];
-                    parts.push(corners.to_vec());
+                    let [a, b] = [(ax + nx, ay + ny), (bx + nx, by + ny)];
+                    parts.push(vec![a, b, (bx - nx, by - ny), (ax - nx, ay - ny)]);
                 }
             }
-            self.fill(&parts);
+            self.add(&parts, u8::max);
         }
     }
 
-    /// Fills the union of polygons that all run the same way around.
-    fn fill(&mut self, polygons: &[Vec<Point>]) {
+    /// Adds the union of polygons that all run the same way around.
+    fn add(&mut self, polygons: &[Vec<Point>], join: fn(u8, u8) -> u8) {
         let points = || polygons.iter().flatten();
         let range = |of: fn(&Point) -> f64, end: usize| {
             let low = points().map(of).fold(f64::INFINITY, f64::min).floor().max(0.0);
             let high = points().map(of).fold(f64::NEG_INFINITY, f64::max).ceil().min(end as f64);
             low as usize..high.max(0.0) as usize
         };
-        let rows = range(|point| point.1, self.image.height());
-        let columns = range(|point| point.0, self.image.width());
+        let rows = range(|point| point.1, self.height);
+        let columns = range(|point| point.0, self.width);
         if columns.is_empty() {
             return;
         }
-        let mut covered = vec![0.0; columns.len()];
+        let mut part = vec![0.0; columns.len()];
         let mut crossings: Vec<(f64, i32)> = Vec::new();
         for y in rows {
-            covered.fill(0.0);
+            part.fill(0.0);
             for height in 0..HEIGHTS {
                 let level = y as f64 + (height as f64 + 0.5) / HEIGHTS as f64;
                 cross(polygons, level, &mut crossings);
@@ -108,20 +125,13 @@ impl Pen<'_> {
                     winding += pair[0].1;
                     if winding != 0 {
                         let offset = columns.start as f64;
-                        cover(&mut covered, pair[0].0 - offset, pair[1].0 - offset);
+                        cover(&mut part, pair[0].0 - offset, pair[1].0 - offset);
                     }
                 }
             }
-            let (color, opacity) = (self.color, f64::from(self.opacity) / 100.0);
-            let texels = self.image.row_mut(y)[3 * columns.start..].chunks_exact_mut(3);
-            for (texel, covered) in texels.zip(&covered) {
-                if *covered > 0.0 {
-                    let part = (covered / HEIGHTS as f64).min(1.0) * opacity;
-                    for (sample, of) in texel.iter_mut().zip(color) {
-                        let mixed = f64::from(*sample) * (1.0 - part) + f64::from(of) * part;
-                        *sample = mixed.round() as u8;
-                    }
-                }
+            let texels = &mut self.covered[y * self.width..][columns.clone()];
+            for (texel, part) in texels.iter_mut().zip(&part) {
+                *texel = join(*texel, (part / HEIGHTS as f64 * 255.0).round().min(255.0) as u8);
             }
         }
     }
