@@ -60,14 +60,14 @@ fn hash(seed: u64, place: u64) -> u64 {
     let mut x = seed
         .wrapping_mul(0xd129_0ddb_53c4_3e49)
         .wrapping_add(place.wrapping_add(1).wrapping_mul(0x9e37_79b9_7f4a_7c15));
-    x = (x ^ x >> 30).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-    x = (x ^ x >> 27).wrapping_mul(0x94d0_49bb_1331_11eb);
-    x ^ x >> 31
+    x = (x ^ (x >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+    x = (x ^ (x >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+    x ^ (x >> 31)
 }
 
 /// A random number below `count`.
 fn below(count: usize, seed: u64, place: u64) -> usize {
-    ((hash(seed, place) >> 32) * count as u64 >> 32) as usize
+    (((hash(seed, place) >> 32) * count as u64) >> 32) as usize
 }
 
 /// Tiles that show random colors.
@@ -141,7 +141,7 @@ impl<'a> Layer<'a> {
         let sides = |step: usize| kind.unpack(tiles[self.cell(step)], colors);
         let mut key = [FREE; 4];
         let line = step.checked_sub(width).map(sides);
-        let before = (step % width > 0).then(|| sides(step - 1));
+        let before = (!step.is_multiple_of(width)).then(|| sides(step - 1));
         if kind == Kind::Corner {
             // NE, SE, SW, NW.
             if let Some(south) = line {

@@ -78,7 +78,7 @@ fn descriptor(texels: Texels) -> Vec<u8> {
     for (number, channel) in [0, 1, 2, 15].into_iter().enumerate() {
         // Opacity is linear even where the colors are not.
         let qualifier = if channel == 15 && texels == Texels::Srgb8 { 0x10 } else { 0 };
-        words.push(number as u32 * bits | (bits - 1) << 16 | (channel | qualifier) << 24);
+        words.push((number as u32 * bits) | ((bits - 1) << 16) | ((channel | qualifier) << 24));
         words.extend([0, 0, (1 << bits) - 1]);
     }
     words.into_iter().flat_map(u32::to_le_bytes).collect()

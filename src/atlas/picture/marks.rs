@@ -29,7 +29,7 @@ const SEAM: f64 = 0.02;
 /// From the corner of a corner tile to the number of its color, across and down.
 const CORNER_GLYPH: f64 = 0.155;
 /// From the edge of a Wang tile to the number of its color.
-const EDGE_GLYPH: f64 = 0.165;
+const EDGE_GLYPH: f64 = 0.14;
 /// Size of these numbers: height, and width at most.
 const GLYPH: Point = (0.15, 0.19);
 /// Size of the number of the tile.
