@@ -269,7 +269,7 @@ Examples:
   tilepack export corner.json --to texturepacker-hash --image atlas.png -o corner.tp.json
   tilepack export corner.json --to obj --image atlas.png --size 24x24 -o ground.obj
   tilepack export corner.json --to puzzle-svg --tile-size 40 -o puzzle.svg
-  tilepack export corner.json --to preview-png --tile-size 16 -o corner.png; tilepack show corner.json
+  tilepack export corner.json --to preview-png --tile-size 16 -o corner.png
 
 JSON fields (--json): result (written), format, file; of tile sets and frames image, image_width, \
 image_height; of maps, models and demos tiling (how it was laid), of models material; of ktx2 and \
