@@ -186,3 +186,28 @@ fn the_command() {
     let run = place.run("import hand.tsx --json");
     assert!(run.code == 2 && run.stderr.contains("--json needs -o"), "{run:?}");
 }
+
+/// Whatever a file holds, it is read or refused.
+#[test]
+fn damaged_files_give_an_error_or_a_set() {
+    let packing = complete(Kind::Wang, "2");
+    let sheet = Sheet { packing: &packing, image: "a.png", tile: 8, margin: 0, spacing: 0 };
+    let texts =
+        [text(|out| write_tsx(out, &sheet, "set")), text(|out| write_tsj(out, &sheet, "set"))];
+    for text in texts {
+        let choice = Choice { keep_first: true, skip_unset: true, ..Choice::default() };
+        let mut refused = 0;
+        for at in 0..text.len() {
+            // Cut off here, and a byte of another kind here.
+            let begin = read(&text[..at], choice);
+            assert!(begin.is_err() || text[at..].trim().is_empty(), "{at}");
+            for other in ["9", "\"", "<", "-", "\n"] {
+                let changed = format!("{}{other}{}", &text[..at], &text[at + 1..]);
+                if at % 7 == 0 && read(&changed, choice).is_err() {
+                    refused += 1;
+                }
+            }
+        }
+        assert!(refused > 100, "{refused}");
+    }
+}

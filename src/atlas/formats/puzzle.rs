@@ -10,7 +10,7 @@
 //! sheet have their knobs, too, those of opposite sides alike, so that copies of the sheet
 //! continue it.
 //!
-//! Lengths within an edge are in sides of a piece; see [`Knob`] for why knobs stay apart.
+//! Lengths within an edge are in sides of a piece; `Knob` says why knobs stay apart.
 
 use crate::atlas::AtlasError;
 use crate::atlas::picture::path::QUARTER;
