@@ -73,7 +73,7 @@ pub fn contact_sheet(packing: &Packing, size: u32) -> Scene {
         let x = MARGIN + (place % columns) as f64 * PITCH.0;
         let y = MARGIN + (place / columns) as f64 * PITCH.1;
         marks.tile(tile, (x, y));
-        let center = (x + 0.5, y + 1.0 + 0.09 + NUMBER / 2.0);
+        let center = (x + 0.5, y + 1.0 + 0.13 + NUMBER / 2.0);
         height = height.min(digits::add(&mut numbers, tile.0, center, NUMBER, 1.0).1);
     }
     let length = |count: usize, pitch: f64| 2.0 * MARGIN + (count - 1) as f64 * pitch + 1.0;
