@@ -62,6 +62,7 @@ const CRATES: &[(&str, &[&str])] = &[
     ("clap", &["cli/", "main.rs"]),
     ("ctrlc", &["cli/signal.rs"]),
     ("indicatif", &["cli/progress.rs"]),
+    ("roxmltree", &["atlas/formats/"]),
     ("bincode", &["store/codec.rs"]),
     ("serde_json", &["store/", "cli/", "atlas/"]),
     ("rayon", &["packing/", "symmetry/", "atlas/", "cli/"]),

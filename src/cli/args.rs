@@ -17,7 +17,7 @@ pub use board::BoardArgs;
 pub use cube::{CubeArgs, CubeKindArg};
 pub use export::{ExportCnfArgs, ExportOut, ExportXccArgs};
 pub use find::{FindArgs, FirstRow, Method, ValueOrder};
-pub use formats::{ExportArgs, To};
+pub use formats::{ExportArgs, ImportArgs, To};
 pub use parts::{ClusterCommand, JobArgs, MergeArgs, PartArgs, PlanArgs, SlurmArgs};
 pub use walk::WalkArgs;
 
@@ -87,6 +87,9 @@ pub enum Command {
     /// Write a packing for other programs: map editors, engines, shaders, pictures
     #[command(after_help = help::EXPORT)]
     Export(ExportArgs),
+    /// Read a tile set of the map editor Tiled, so that it can be packed
+    #[command(after_help = help::IMPORT)]
+    Import(ImportArgs),
     /// Check packings from the definition
     #[command(after_help = help::VERIFY)]
     Verify(VerifyArgs),

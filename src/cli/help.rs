@@ -289,10 +289,53 @@ atlas --check.";
 
 /// Examples for `export`.
 pub const EXPORT: &str = "\
+A packing is checked, then written for another program. Tile sets and frames name a picture of the \
+packing, in which the tiles lie as in the packing, --tile-size texels each; its name is --image. \
+Maps, models and demos show a tiling of --size tiles without end: of a complete set random colors, \
+else laid tile by tile, else the packing repeated; --seed chooses it. docs/formats-out.md says what \
+each format holds and how to load it.
+
+Tiled and Godot count the colors of vertical edges on from those of horizontal edges; Tiled knows at \
+most 254 of both together. Pieces of a puzzle have room for so many colors as their knobs can be \
+told apart.
+
 Examples:
   tilepack find --kind corner --colors 3 -o corner.json
+  tilepack export corner.json --to preview-svg --indices -o corner.svg
+  tilepack export corner.json --to contact-sheet -o tiles.svg
+  tilepack export corner.json --to demo-png --size 32x18 --tile-size 32 --seed 7 -o demo.png
+  tilepack export corner.json --to tiled-tsx --image atlas.png --tile-size 32 -o corner.tsx
+  tilepack export corner.json --to tiled-tmx --tileset corner.tsx --tile-size 32 -o map.tmx
+  tilepack export corner.json --to godot-tres --image atlas.png -o corner.tres
+  tilepack export corner.json --to texturepacker-hash --image atlas.png -o corner.tp.json
+  tilepack export corner.json --to obj --image atlas.png --size 24x24 -o ground.obj
+  tilepack export corner.json --to puzzle-svg --tile-size 40 -o puzzle.svg
+  tilepack export corner.json --to preview-png --tile-size 16 -o corner.png
 
-JSON fields (--json): result (written), format, file.";
+JSON fields (--json): result (written), format, file; of tile sets and frames image, image_width, \
+image_height; of maps, models and demos tiling (how it was laid), of models material; of ktx2 and \
+dds width, height, levels.";
+
+/// Examples for `import`.
+pub const IMPORT: &str = "\
+A wangset (in Tiled: a terrain set) of corners or edges becomes a tile set as find reads it. One \
+color list serves all edges in Tiled. Where no color is on horizontal and on vertical edges, each \
+sort gets its own, in the order of the list; else both have the same numbers. Colors that no tile \
+shows are left out. Two tiles with the same colors, unset colors, and colors on edges and corners \
+at once are refused.
+
+A tile set does not keep the order of the tiles; table in --json says which tile of ours each of \
+Tiled is.
+
+Examples:
+  tilepack find --kind wang --colors 2 -o wang.json
+  tilepack export wang.json --to tiled-tsx -o wang.tsx
+  tilepack import wang.tsx -o set.json
+  tilepack find --set set.json --size 4x4 -o packed.json
+
+JSON fields (--json): result (imported), wangset, kind, colors, tiles, file, table (id in Tiled, \
+tile), horizontal_colors and vertical_colors (the numbers in Tiled of colors 0, 1, ...; the same for \
+corners), doubles (left out: id, and first with these colors), unset (left out).";
 
 /// Examples for `export-xcc`.
 pub const EXPORT_XCC: &str = "\

@@ -4,7 +4,9 @@
 //!   turn it into what the library wants and refuse what makes no sense.
 //! * One file a command: [`find`] (by [`construct`], [`anneal`], [`beam`], [`cover`], [`restarts`] or
 //!   [`portfolio`], whichever it is told to or [`choose`]s), [`locate`], [`count`] (also by [`formula`]), [`list`],
-//!   [`estimate`], [`export`] (for other solvers), [`atlas`] and [`lint`] (textures, of [`tile_pictures`]), [`formats`] (for other programs), [`resume`], [`plan`], [`part`] (the command `run`), [`merge`], [`cluster`] (job
+//!   [`estimate`], [`export`] (for other solvers), [`atlas`] and [`lint`] (textures, of
+//!   [`tile_pictures`]), [`formats`] (for other programs) and [`import`], [`resume`], [`plan`], [`part`]
+//!   (the command `run`), [`merge`], [`cluster`] (job
 //!   files), [`verify`] (with [`recursive`]), [`show`], [`sets`], [`cube`], [`walk`]; [`ring`] is the option
 //!   `--ring` of two of them.
 //! * [`session`] runs a search with limits, [`signal`]s, [`progress`], [`eta`] (the time that is
@@ -38,6 +40,7 @@ pub mod formats;
 pub mod formula;
 pub mod found;
 pub mod help;
+pub mod import;
 pub mod lint;
 pub mod list;
 pub mod locate;
@@ -95,6 +98,7 @@ pub fn run() -> Exit {
         Command::Atlas(args) => atlas::run(args),
         Command::Lint(args) => lint::run(args),
         Command::Export(args) => formats::run(args),
+        Command::Import(args) => import::run(args),
         Command::Verify(args) => verify::run(args),
         Command::Show(args) => show::run(args),
         Command::Sets(args) => sets::run(args),
