@@ -8,11 +8,13 @@
 //! endless tiling.
 //!
 //! * [`Image`] is a picture in memory, [`Format`] how its samples are to be read;
-//! * [`TileImages`] draws the tiles of a set, [`palette`] gives colors their look.
+//! * [`TileImages`] draws the tiles of a set, [`palette`] gives colors their look;
+//! * [`shader`] writes the endless tiling for graphics cards.
 
 mod error;
 mod image;
 pub mod palette;
+pub mod shader;
 mod tile_images;
 
 pub use error::AtlasError;

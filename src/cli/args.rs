@@ -9,6 +9,8 @@ mod export;
 mod find;
 mod formats;
 mod parts;
+mod shader;
+mod tile;
 mod walk;
 
 pub use board::BoardArgs;
@@ -17,6 +19,8 @@ pub use export::{ExportCnfArgs, ExportOut, ExportXccArgs};
 pub use find::{FindArgs, FirstRow, Method, ValueOrder};
 pub use formats::{ExportArgs, To};
 pub use parts::{ClusterCommand, JobArgs, MergeArgs, PartArgs, PlanArgs, SlurmArgs};
+pub use shader::{ColoringArg, Lookup, ShaderArgs};
+pub use tile::TileArgs;
 pub use walk::WalkArgs;
 
 use super::ring::RingOrder;
@@ -76,6 +80,9 @@ pub enum Command {
     /// Write the problem as exact cover with colors, for Knuth's DLX2 and DLX3
     #[command(after_help = help::EXPORT_XCC)]
     ExportXcc(ExportXccArgs),
+    /// Say which tile lies at a place of an endless tiling
+    #[command(after_help = help::TILE)]
+    Tile(TileArgs),
     /// Write a packing for other programs: map editors, engines, shaders, pictures
     #[command(after_help = help::EXPORT)]
     Export(ExportArgs),

@@ -2,7 +2,7 @@
 
 use super::args::{ExportArgs, To};
 use super::exit::Exit;
-use super::{set, source};
+use super::{export_shader, set, source};
 use crate::store::read_solution;
 use crate::torus::Packing;
 use crate::verify;
@@ -16,6 +16,7 @@ pub fn run(args: &ExportArgs) -> anyhow::Result<Exit> {
     let packing = read(args)?;
     match args.to {
         To::PreviewSvg => bail!("{}: nothing is drawn yet", packing.shape),
+        To::Glsl330 | To::GlslEs300 | To::Hlsl | To::Wgsl => export_shader::run(args, &packing),
     }
 }
 

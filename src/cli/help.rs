@@ -109,6 +109,23 @@ Examples:
 JSON fields (--json): kind, colors, width, height, construction, source, seed, tiles, a list with \
 one object for each tile: tile, row, column; result unknown and reason if no construction is known.";
 
+/// Examples for `tile`.
+pub const TILE: &str = "\
+An endless tiling gives every place a tile without those before it; shaders do the same (see \
+export --to). X counts to the east, Y to the north, both from -2^62 to 2^62. With --coloring hash \
+or halton every tile over the colors can occur, so --packing must be one of a complete set; with \
+map:FILE only those of the file, whose south-west tile is the one at 0 0. Windows are written as \
+pictures are read, from the north.
+
+Examples:
+  tilepack tile --kind corner --colors 3 --seed 7 -5 12
+  tilepack tile --kind wang --colors 2,3 --coloring halton:256x256 0 0 --size 16x4
+  tilepack find --kind corner --colors 3 -o p.json; tilepack tile 5 2 --packing p.json --json
+  tilepack tile --packing p.json --coloring map:p.json 0 0 --size 9x9
+
+JSON fields (--json): kind, colors, coloring, seed, tiles, a list of objects with x, y, tile, sides, \
+and with --packing the row and column of its cell.";
+
 /// Examples for `count`.
 pub const COUNT: &str = "\
 Packings count as different when any cell differs. The search removes symmetry first and \

@@ -1,6 +1,6 @@
 //! The options of the command that writes packings for other programs.
 
-use super::ClaimArgs;
+use super::{ClaimArgs, ShaderArgs};
 use clap::{Args, ValueEnum};
 use std::path::PathBuf;
 
@@ -19,6 +19,9 @@ pub struct ExportArgs {
     /// What the file does not say itself.
     #[command(flatten)]
     pub claim: ClaimArgs,
+    /// What a shader draws.
+    #[command(flatten)]
+    pub shader: ShaderArgs,
     /// No remarks on standard error
     #[arg(long, help_heading = "Result")]
     pub quiet: bool,
@@ -32,4 +35,14 @@ pub struct ExportArgs {
 pub enum To {
     /// A picture of the packing with its colors, as SVG
     PreviewSvg,
+    /// Functions of a shader that draws an endless tiling: OpenGL
+    #[value(name = "glsl-330")]
+    Glsl330,
+    /// The same for WebGL 2 and OpenGL ES
+    #[value(name = "glsl-es-300")]
+    GlslEs300,
+    /// The same for Direct3D, shader model 5
+    Hlsl,
+    /// The same for WebGPU
+    Wgsl,
 }
