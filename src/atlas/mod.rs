@@ -9,13 +9,14 @@
 //!
 //! * [`Image`] is a picture in memory, [`Format`] how its samples are to be read;
 //! * [`TileImages`] draws the tiles of a set, [`palette`] gives colors their look;
-//! * [`shader`] writes the endless tiling for graphics cards.
+//! * [`shader`] writes the endless tiling for graphics cards, [`viewer`] a page that draws it.
 
 mod error;
 mod image;
 pub mod palette;
 pub mod shader;
 mod tile_images;
+pub mod viewer;
 
 pub use error::AtlasError;
 pub use image::{Channels, Depth, Format, Image, Light};

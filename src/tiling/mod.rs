@@ -25,11 +25,13 @@ mod color_map;
 mod error;
 mod halton;
 pub mod hash;
+mod mixed;
 
 pub use cells::{Cells, Formula};
 pub use color_map::ColorMap;
 pub use error::TilingError;
 pub use halton::Halton;
+pub use mixed::{Mixed, mixed};
 
 use crate::tiles::{Colors, Kind, TileId};
 use crate::torus::Shape;

@@ -8,6 +8,7 @@
 
 mod tools;
 mod validate;
+mod viewer;
 mod webgl;
 
 use tilepack::construct::construct;
