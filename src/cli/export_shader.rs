@@ -8,7 +8,7 @@ use crate::atlas::shader::{Language, Shader};
 use crate::store::{check_writable, write_file};
 use crate::tiling::Cells;
 use crate::torus::Packing;
-use anyhow::bail;
+use anyhow::{Context, bail};
 use serde_json::json;
 use std::io::Write;
 
@@ -30,6 +30,7 @@ pub fn run(args: &ExportArgs, packing: &Packing) -> anyhow::Result<Exit> {
     if let Some(file) = &args.output {
         check_writable(file)?;
     }
+    tiling::on_torus(packing).with_context(|| args.file.display().to_string())?;
     let (kind, colors) = (packing.set.kind(), packing.set.colors());
     let options = &args.shader;
     let tiling = tiling::tiling(&options.coloring, options.seed, Some(kind), Some(colors))?;

@@ -265,8 +265,17 @@ JSON fields (--json): result (written), format, variables, clauses, file; with -
 
 /// Examples for `export`.
 pub const EXPORT: &str = "\
+Shaders (glsl-330, glsl-es-300, hlsl, wgsl) are functions to be pasted; how to call them stands at \
+the top. --coloring hash and halton:WxH need a packing of a complete set, map:FILE any set that has \
+the tiles of the file. --lookup formula needs no table, but the packing that find --method construct \
+gives without a seed.
+
 Examples:
-  tilepack find --kind corner --colors 3 -o corner.json
+  tilepack find --kind corner --colors 3 --method construct -o corner.json
+  tilepack export corner.json --to glsl-es-300 --lookup formula -o tiling.glsl
+  tilepack export corner.json --to wgsl --coloring halton:512x512 --name ground
+  tilepack find --kind wang --colors 3 --set compact -o wang.json
+  tilepack export wang.json --to hlsl --coloring map:wang.json -o tiling.hlsl --json
 
 JSON fields (--json): result (written), format, file.";
 

@@ -59,7 +59,11 @@ pub fn packing(file: &Path, claim: &Claim) -> anyhow::Result<Packing> {
     Ok(packing)
 }
 
-fn on_torus(packing: &Packing) -> anyhow::Result<()> {
+/// Refuses what lies on a board, or is turned.
+///
+/// # Errors
+/// For such packings.
+pub fn on_torus(packing: &Packing) -> anyhow::Result<()> {
     if packing.board.topology != Topology::Torus || packing.board.rotations {
         bail!("expected fixed tiles on a torus, but this lies on a board");
     }
