@@ -48,7 +48,8 @@ fn an_output_that_cannot_be_written_is_told_before_the_search() {
 fn help_and_version() {
     let version = run("--version").exits(0);
     assert_eq!(version.stdout, format!("tilepack {}\n", env!("CARGO_PKG_VERSION")));
-    for command in ["", "find", "locate", "count", "list", "verify", "show", "sets", "cube", "walk", "tile"]
+    for command in
+        ["", "find", "locate", "count", "list", "verify", "show", "sets", "cube", "walk", "tile"]
     {
         for option in ["--help", "-h"] {
             let help = run(&format!("{command} {option}")).exits(0);

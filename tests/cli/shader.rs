@@ -35,7 +35,10 @@ fn what_cannot_be_drawn_is_refused() {
     place.run("find --kind domino --colors 3 -o ring.json").exits(0);
     for (args, expected) in [
         ("compact.json --to wgsl", "a coloring by hash or Halton needs the complete set"),
-        ("compact.json --to wgsl --coloring map:compact.json --lookup formula", "only those of complete"),
+        (
+            "compact.json --to wgsl --coloring map:compact.json --lookup formula",
+            "only those of complete",
+        ),
         ("compact.json --to wgsl --coloring map:p.txt", "colors 2"),
         ("seeded.json --to hlsl --lookup formula", "not the constructed one"),
         ("ring.json --to hlsl", "dominoes have no endless tiling"),

@@ -8,7 +8,8 @@ fn a_tile_at_a_place() {
     let said = run("tile --kind corner --colors 3 --seed 7 -5 12").exits(0);
     assert_eq!(said.stdout, "tile 64 (NE 2, SE 1, SW 0, NW 1)\n");
     assert_eq!(said.stderr, "");
-    let far = run("tile --kind wang --colors 2,3 -4611686018427387904 4611686018427387903").exits(0);
+    let far =
+        run("tile --kind wang --colors 2,3 -4611686018427387904 4611686018427387903").exits(0);
     assert!(far.stdout.starts_with("tile "), "{far:?}");
 }
 
@@ -28,7 +29,8 @@ fn windows_of_a_map() {
             numbers.split_whitespace().map(|number| number.parse().unwrap()).collect();
         assert_eq!(json!(numbers), packing["tiles"][row]);
     }
-    let object = place.run("tile -1 -1 --packing p.json --coloring map:p.json --json").exits(0).json();
+    let object =
+        place.run("tile -1 -1 --packing p.json --coloring map:p.json --json").exits(0).json();
     assert_eq!(names(&object), ["coloring", "colors", "kind", "seed", "tiles"]);
     let tile = &object["tiles"][0];
     assert_eq!(names(tile), ["column", "row", "sides", "tile", "x", "y"]);
@@ -49,8 +51,14 @@ fn what_makes_no_sense_is_refused() {
         ("tile --colors 3 0 0", "--kind corner|wang is missing"),
         ("tile --kind corner 0 0", "--colors C is missing"),
         ("tile --kind domino --colors 3 0 0", "dominoes have no endless tiling"),
-        ("tile --kind corner --colors 3 --coloring spots 0 0", "expected hash, halton:WxH or map:FILE"),
-        ("tile --kind corner --colors 3 --coloring halton:0x4 0 0", "both sides must be at least 1"),
+        (
+            "tile --kind corner --colors 3 --coloring spots 0 0",
+            "expected hash, halton:WxH or map:FILE",
+        ),
+        (
+            "tile --kind corner --colors 3 --coloring halton:0x4 0 0",
+            "both sides must be at least 1",
+        ),
         ("tile --kind wang --colors 3 --coloring halton:4000000000x1 0 0", "halton 4000000000x1"),
         ("tile --kind corner --colors 3 --coloring halton:9x9 --seed 3 0 0", "a seed goes with"),
         ("tile --kind corner --colors 3 --coloring map:none.txt 0 0", "none.txt"),

@@ -14,9 +14,8 @@ const PATIENCE: Duration = Duration::from_secs(150);
 /// says that it is skipped; not by a macro, whose output is shown for failed tests only.
 pub(crate) fn find(program: &str) -> Option<PathBuf> {
     let path = std::env::var_os("PATH").unwrap_or_default();
-    let found = std::env::split_paths(&path)
-        .map(|folder| folder.join(program))
-        .find(|file| file.is_file());
+    let found =
+        std::env::split_paths(&path).map(|folder| folder.join(program)).find(|file| file.is_file());
     if found.is_none() {
         let wanted = std::env::var("CI").is_ok_and(|ci| ci == "true");
         assert!(!wanted, "{program} is not installed: see .ci/textures");

@@ -114,11 +114,8 @@ fn what_no_shader_can_do_is_refused() {
     // More points than 32 bits hold.
     let grid = tilepack::torus::Shape::new(30000, 30000).unwrap();
     let halton = tilepack::tiling::Halton::of_tiles(Kind::Corner, grid).unwrap();
-    let tiling = tilepack::tiling::Tiling::new(
-        Kind::Corner,
-        case.tiling.colors(),
-        Coloring::Halton(halton),
-    );
+    let tiling =
+        tilepack::tiling::Tiling::new(Kind::Corner, case.tiling.colors(), Coloring::Halton(halton));
     let refused = Shader::new(Language::Hlsl, &tiling.unwrap(), &case.cells, "my").unwrap_err();
     assert!(refused.to_string().contains("2^30"), "{refused}");
 }

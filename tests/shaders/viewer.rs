@@ -108,7 +108,8 @@ fn page(packing: &Packing, seed: u32) -> String {
 /// What the script says about the page of a packing.
 fn driven(packing: &Packing, seed: u32) -> Option<Value> {
     let page = page(packing, seed);
-    let bare = page.lines().filter(|line| !line.contains("id=\"level-")).map(str::len).sum::<usize>();
+    let bare =
+        page.lines().filter(|line| !line.contains("id=\"level-")).map(str::len).sum::<usize>();
     assert!(bare < 100_000, "{bare} bytes without the atlas");
     assert!(!page.contains("http:") && !page.contains("https:") && !page.contains("{{"));
     // To be looked at: KEEP_VIEWER names a folder.

@@ -5,6 +5,7 @@
 
 mod cells;
 mod halton;
+mod mixed;
 
 use tilepack::tiles::{Colors, Kind, Members, TileSet};
 use tilepack::tiling::hash::{hash3, mix, uni};

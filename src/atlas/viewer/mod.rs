@@ -88,10 +88,10 @@ fn tiling(scene: &Scene<'_>) -> Result<(Tiling, String), crate::tiling::TilingEr
     let words = match mixed.changed {
         0 => format!("the packing of {shape} tiles, repeated: nothing in it can be changed"),
         _ => format!(
-            "a patch of {shape} tiles, repeated: the packing several times, with {} of {} colors \
-             changed at random",
+            "a patch of {shape} tiles, repeated: the packing several times, with {} of {} tiles \
+             exchanged at random",
             mixed.changed,
-            mixed.map.labels().len()
+            shape.cells()
         ),
     };
     Ok((Tiling::new(kind, colors, Coloring::Map(mixed.map))?, words))

@@ -11,8 +11,9 @@ fn NAME_sample(tile: vec2i, inside: vec2f, dx: vec2f, dy: vec2f, SAMPLE_PARAMETE
     return SAMPLE_GRAD(at, along, up);
 }
 
-// The texture at a position in tiles; in fragment shaders only. Beyond some thousand tiles from the
-// origin, give NAME_sample the tile and the position inside it apart: a float holds 24 bits.
+// The texture at a position in tiles; in fragment shaders only, and not where only some pixels get to,
+// for it takes derivatives. Beyond some thousand tiles from the origin, give NAME_sample the tile and
+// the position inside it apart: a float holds 24 bits.
 fn NAME_texture(position: vec2f, SAMPLE_PARAMETERS) -> vec4f {
     let tile: vec2f = floor(position);
     return NAME_sample(vec2i(tile), position - tile, dpdx(position), dpdy(position), SAMPLE_ARGUMENTS);

@@ -72,11 +72,15 @@ function makeControls(view, scene, changed) {
 
 function tell(view, scene) {
     const lod = view.lod;
-    const exact = scene.exact !== null && lod <= scene.exact && view.probes === 1 && !view.hardware;
+    const within = scene.exact !== null && lod <= scene.exact;
+    const own = view.probes === 1 && !view.hardware;
+    const said = VIEWS[view.view] === "assembled" ? "the truth"
+        : VIEWS[view.view] === "row-major" ? "not exact"
+        : !within ? "beyond exact LODs"
+        : own ? "exact" : "within exact LODs";
     const word = document.createElement("span");
-    word.className = exact ? "exact" : "beyond";
-    word.textContent = exact ? "exact"
-        : scene.exact !== null && lod <= scene.exact ? "within exact LODs" : "beyond exact LODs";
+    word.className = ["the truth", "exact"].includes(said) ? "exact" : "beyond";
+    word.textContent = said;
     element("lod").replaceChildren(`LOD ${lod.toFixed(2)} · `, word);
     if (!view.hover) {
         element("tile").textContent = scene.coloring;
