@@ -61,7 +61,7 @@ impl<'a> Shader<'a> {
             )));
         }
         if cells.as_formula().is_none() {
-            CellTable::new(cells)?;
+            CellTable::check(cells.kind().tiles(cells.colors()))?;
         }
         Ok(Self { language, tiling, cells, name })
     }

@@ -5,6 +5,7 @@
 //! two that makes the texture no higher than wide.
 
 use super::AtlasError;
+use crate::tiles::TileId;
 use crate::tiling::Cells;
 
 /// The most tiles of a table: a texture of 4096 x 4096.
@@ -31,22 +32,31 @@ impl CellTable {
         (width as usize, numbers.div_ceil(width) as usize)
     }
 
-    /// The table of the cells of all tile numbers of a kind and colors.
+    /// Whether a texture holds this many tile numbers.
     ///
     /// # Errors
-    /// More numbers than a texture is made for.
-    pub fn new(cells: &Cells) -> Result<Self, AtlasError> {
-        let numbers = cells.kind().tiles(cells.colors());
+    /// More than a texture is made for.
+    pub(super) fn check(numbers: u64) -> Result<(), AtlasError> {
         if numbers > MOST {
             return Err(AtlasError::Asked(format!(
                 "a table of {numbers} tiles: expected at most {MOST}; complete sets can do without, \
                  by --lookup formula"
             )));
         }
+        Ok(())
+    }
+
+    /// The table of the cells of all tile numbers of a kind and colors.
+    ///
+    /// # Errors
+    /// More numbers than a texture is made for.
+    pub fn new(cells: &Cells) -> Result<Self, AtlasError> {
+        let numbers = cells.kind().tiles(cells.colors());
+        Self::check(numbers)?;
         let (width, height) = Self::size(numbers);
         let mut table = vec![0; width * height];
         for (place, number) in table.iter_mut().zip(0..numbers as u32) {
-            if let Some((row, column)) = cells.find(crate::tiles::TileId(number)) {
+            if let Some((row, column)) = cells.find(TileId(number)) {
                 *place = cells.shape().cell(row, column).0;
             }
         }

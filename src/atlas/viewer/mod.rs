@@ -4,7 +4,9 @@
 //! level, so that no driver resamples them; the tiling is that of [`super::shader`], by hash where the
 //! packing is of a complete set, else a map ([`crate::tiling::mixed`]). Its filters are written out
 //! in the shader, over texels that are fetched one by one: so *packed*, filtered in the atlas, can be
-//! held against *assembled*, every texel from the tile that the tiling has there.
+//! held against *assembled*, every texel from the tile that the tiling has there. An atlas encoded for
+//! the eye is decoded as its texels are read (SRGB8_ALPHA8) and encoded again at the end: filters work
+//! on light.
 //!
 //! The page lies in `page/`, whose files are put together here.
 

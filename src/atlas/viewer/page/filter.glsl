@@ -151,8 +151,10 @@ void main() {
         float ring = 1.0 - smoothstep(2.0 * borders, 2.0 * borders + 1.0, near);
         color.rgb = mix(color.rgb, vec3(1.0, 0.72, 0.0), ring);
     } else if (borders > 0.0) {
+        // Dark with a light seam on each side, to be seen on anything.
+        float seam = 1.0 - smoothstep(1.5 * borders, 1.5 * borders + 1.0, near);
         float line = 1.0 - smoothstep(0.5 * borders, 0.5 * borders + 1.0, near);
-        float light = dot(color.rgb, vec3(0.3, 0.6, 0.1)) > 0.5 ? 0.0 : 1.0;
-        color.rgb = mix(color.rgb, vec3(light), 0.7 * line);
+        color.rgb = mix(color.rgb, vec3(1.0), 0.3 * seam);
+        color.rgb = mix(color.rgb, vec3(view == DIFFERENCE ? 0.8 : 0.05), 0.8 * line);
     }
 }
