@@ -23,10 +23,11 @@
 //! 14. [`cover`]: coverings of pruned sets, and how small they can be.
 //! 15. [`verify`]: packings checked from the definition, by code that shares nothing with the
 //!     search.
-//! 16. [`atlas`]: from a packing to a texture.
-//! 17. [`store`]: files, whole or not at all.
-//! 18. [`cluster`]: one search in parts, on many machines.
-//! 19. [`cli`]: the command line.
+//! 16. [`tiling`]: endless tilings, evaluated anywhere.
+//! 17. [`atlas`]: from a packing to a texture.
+//! 18. [`store`]: files, whole or not at all.
+//! 19. [`cluster`]: one search in parts, on many machines.
+//! 20. [`cli`]: the command line.
 //!
 //! Every layer uses only those before it (the search none), so each can be read, and trusted,
 //! without the later ones.
@@ -71,5 +72,6 @@ pub mod search;
 pub mod store;
 pub mod symmetry;
 pub mod tiles;
+pub mod tiling;
 pub mod torus;
 pub mod verify;

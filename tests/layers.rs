@@ -29,7 +29,8 @@ const LAYERS: &[(&str, &[&str])] = &[
     // Of nothing it checks: neither search nor packing nor symmetry.
     ("verify", &["tiles", "torus"]),
     ("export", &["tiles", "torus", "symmetry", "packing"]),
-    ("atlas", &["tiles", "torus", "construct"]),
+    ("tiling", &["tiles", "torus", "construct"]),
+    ("atlas", &["tiles", "torus", "construct", "tiling"]),
     ("store", &["tiles", "torus", "search", "symmetry", "packing"]),
     ("cluster", &["packing", "store"]),
     (
@@ -48,6 +49,7 @@ const LAYERS: &[(&str, &[&str])] = &[
             "patch",
             "cover",
             "export",
+            "tiling",
             "atlas",
             "verify",
             "store",

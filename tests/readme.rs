@@ -18,6 +18,7 @@ const PAGES: &[(&str, &str, usize)] = &[
     ("docs/coverings.md", include_str!("../docs/coverings.md"), 3),
     ("docs/exports.md", include_str!("../docs/exports.md"), 6),
     ("docs/formats-out.md", include_str!("../docs/formats-out.md"), 18),
+    ("docs/shaders.md", include_str!("../docs/shaders.md"), 5),
     ("docs/search.md", include_str!("../docs/search.md"), 2),
     ("docs/packings.md", include_str!("../docs/packings.md"), 4),
     ("docs/first-packings.md", include_str!("../docs/first-packings.md"), 8),

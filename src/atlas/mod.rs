@@ -14,7 +14,8 @@
 //!   are for mappers;
 //! * [`filter`] says where filtering is exact, [`lint`] whether the tiles of a sheet fit;
 //! * [`PngWriter`] writes PNG, [`light`] decodes it; [`palette`] gives colors their look;
-//! * [`formats`] are those of other programs, [`picture`] draws for people, [`demo`] lays tiles.
+//! * [`formats`] are those of other programs, [`picture`] draws for people, [`demo`] lays tiles;
+//! * [`shader`] writes the endless tiling for graphics cards, [`viewer`] a page that draws it.
 
 mod compose;
 pub mod demo;
@@ -31,10 +32,12 @@ mod mips;
 pub mod palette;
 pub mod picture;
 mod png;
+pub mod shader;
 pub mod sides;
 mod strip;
 pub mod tables;
 mod tile_images;
+pub mod viewer;
 
 pub use compose::Scene;
 pub use error::AtlasError;

@@ -10,6 +10,8 @@ mod export;
 mod find;
 mod formats;
 mod parts;
+mod shader;
+mod tile;
 mod walk;
 
 pub use atlas::{ArrangeArg, AtlasArgs, ChannelsArg, GutterArg, LintArgs, TilePictureArgs};
@@ -19,6 +21,8 @@ pub use export::{ExportCnfArgs, ExportOut, ExportXccArgs};
 pub use find::{FindArgs, FirstRow, Method, ValueOrder};
 pub use formats::{ExportArgs, ImportArgs, To};
 pub use parts::{ClusterCommand, JobArgs, MergeArgs, PartArgs, PlanArgs, SlurmArgs};
+pub use shader::{ColoringArg, Lookup, ShaderArgs};
+pub use tile::TileArgs;
 pub use walk::WalkArgs;
 
 use super::ring::RingOrder;
@@ -84,6 +88,9 @@ pub enum Command {
     /// Find out whether the tiles of a sheet fit
     #[command(after_help = help::LINT)]
     Lint(LintArgs),
+    /// Say which tile lies at a place of an endless tiling
+    #[command(after_help = help::TILE)]
+    Tile(TileArgs),
     /// Write a packing for other programs: map editors, engines, shaders, pictures
     #[command(after_help = help::EXPORT)]
     Export(ExportArgs),

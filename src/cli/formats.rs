@@ -5,7 +5,7 @@
 
 use super::args::{ExportArgs, To};
 use super::exit::Exit;
-use super::{describe, output, set, source};
+use super::{describe, export_shader, output, set, source};
 use crate::atlas::demo::{self, Demo, How};
 use crate::atlas::formats::texturepacker::{Frames, write_frames};
 use crate::atlas::formats::{Sheet, dds, godot, ktx2, obj, puzzle::Puzzle, tiled, tsj};
@@ -155,6 +155,11 @@ fn write(args: &ExportArgs, packing: &Packing) -> anyhow::Result<Told> {
         }
         To::Obj => model(args, &sheet),
         To::Ktx2 | To::Dds => texture(args, packing),
+        To::Glsl330 | To::GlslEs300 | To::Hlsl | To::Wgsl => {
+            let (text, title) = export_shader::text(args, packing)?;
+            give(args, |out| Ok(out.write_all(text.as_bytes())?))?;
+            Ok(Told { fields: Vec::new(), remark: title.to_owned() })
+        }
         sheets => {
             give(args, |out| match sheets {
                 To::TiledTsx => tiled::write_tsx(out, &sheet, &name),

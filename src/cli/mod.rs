@@ -3,10 +3,11 @@
 //! * [`args`] is the command line as typed, [`help`] its longer texts; [`set`] and [`problem`]
 //!   turn it into what the library wants and refuse what makes no sense.
 //! * One file a command: [`find`] (by [`construct`], [`anneal`], [`beam`], [`cover`], [`restarts`] or
-//!   [`portfolio`], whichever it is told to or [`choose`]s), [`locate`], [`count`] (also by [`formula`]), [`list`],
-//!   [`estimate`], [`export`] (for other solvers), [`atlas`] and [`lint`] (textures, of
-//!   [`tile_pictures`]), [`formats`] (for other programs) and [`import`], [`resume`], [`plan`], [`part`]
-//!   (the command `run`), [`merge`], [`cluster`] (job
+//!   [`portfolio`], whichever it is told to or [`choose`]s), [`locate`], [`tile`] (of a [`tiling`]),
+//!   [`count`] (also by [`formula`]), [`list`], [`estimate`], [`export`] (for other solvers),
+//!   [`atlas`] and [`lint`] (textures, of [`tile_pictures`]), [`formats`] (for other programs, of
+//!   which [`export_shader`] writes shaders) and [`import`], [`resume`], [`plan`], [`part`] (the
+//!   command `run`), [`merge`], [`cluster`] (job
 //!   files), [`verify`] (with [`recursive`]), [`show`], [`sets`], [`cube`], [`walk`]; [`ring`] is the option
 //!   `--ring` of two of them.
 //! * [`session`] runs a search with limits, [`signal`]s, [`progress`], [`eta`] (the time that is
@@ -35,6 +36,7 @@ pub mod estimate;
 pub mod eta;
 pub mod exit;
 pub mod export;
+pub mod export_shader;
 pub mod find;
 pub mod formats;
 pub mod formula;
@@ -64,7 +66,9 @@ pub mod show;
 pub mod signal;
 pub mod source;
 pub mod status;
+pub mod tile;
 pub mod tile_pictures;
+pub mod tiling;
 pub mod verify;
 pub mod walk;
 
@@ -86,6 +90,7 @@ pub fn run() -> Exit {
     let exit = match &cli.command {
         Command::Find(args) => find::run(args),
         Command::Locate(args) => locate::run(args),
+        Command::Tile(args) => tile::run(args),
         Command::Count(args) => count::run(args),
         Command::List(args) => list::run(args),
         Command::Estimate(args) => estimate::run(args),

@@ -1,6 +1,6 @@
 //! The options of the commands that write packings for other programs, and read their tile sets.
 
-use super::ClaimArgs;
+use super::{ClaimArgs, ShaderArgs};
 use clap::{Args, ValueEnum};
 use std::path::PathBuf;
 
@@ -47,6 +47,9 @@ pub struct ExportArgs {
     /// What the file does not say itself.
     #[command(flatten)]
     pub claim: ClaimArgs,
+    /// What a shader draws.
+    #[command(flatten)]
+    pub shader: ShaderArgs,
     /// No remarks on standard error
     #[arg(long, help_heading = "Result")]
     pub quiet: bool,
@@ -88,6 +91,16 @@ pub enum To {
     Ktx2,
     /// The picture as DirectDraw Surface
     Dds,
+    /// Functions of a shader that draws an endless tiling: OpenGL
+    #[value(name = "glsl-330")]
+    Glsl330,
+    /// The same for WebGL 2 and OpenGL ES
+    #[value(name = "glsl-es-300")]
+    GlslEs300,
+    /// The same for Direct3D, shader model 5
+    Hlsl,
+    /// The same for WebGPU
+    Wgsl,
 }
 
 impl To {
@@ -105,6 +118,9 @@ impl To {
             | To::TexturepackerArray => &["--tile-size", "--image", "--margin", "--spacing"],
             To::Obj => &["--tile-size", "--image", "--margin", "--spacing", "--size", "--seed"],
             To::Ktx2 | To::Dds => &["--image", "--linear"],
+            To::Glsl330 | To::GlslEs300 | To::Hlsl | To::Wgsl => {
+                &["--coloring", "--lookup", "--seed", "--name"]
+            }
         }
     }
 
@@ -127,6 +143,9 @@ impl ExportArgs {
             (self.indices, "--indices"),
             (self.size.is_some(), "--size"),
             (self.seed.is_some(), "--seed"),
+            (self.shader.coloring.is_some(), "--coloring"),
+            (self.shader.lookup.is_some(), "--lookup"),
+            (self.shader.name.is_some(), "--name"),
         ];
         let known = self.to.options();
         given.into_iter().find(|(is, option)| *is && !known.contains(option)).map(|(_, o)| o)
