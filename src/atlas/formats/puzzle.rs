@@ -195,18 +195,19 @@ impl<'a> Puzzle<'a> {
         let (w, h) = (self.packing.shape.width(), self.packing.shape.height());
         let reach = 1.8 * self.knob.radius * self.side;
         let length = |cells: usize| svg::number(cells as f64 * self.side + reach + 2.0 * MARGIN);
-        let (width, height) = (length(w), length(h));
-        write!(out, "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{width}mm\" ")?;
-        write!(out, "height=\"{height}mm\" viewBox=\"{0} {0} ", svg::number(-MARGIN))?;
-        writeln!(out, "{width} {height}\" fill=\"none\" stroke-width=\".1\">")?;
+        let (wide, high) = (length(w), length(h));
+        write!(out, "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{wide}mm\" ")?;
+        write!(out, "height=\"{high}mm\" viewBox=\"{0} {0} ", svg::number(-MARGIN))?;
+        writeln!(out, "{wide} {high}\" fill=\"none\" stroke-width=\".1\">")?;
         writeln!(out, "<title>{}</title>", super::escape(title))?;
 
         let mut numbers = Path::default();
+        let largest = self.packing.tiles.iter().map(|tile| tile.0).max().unwrap_or(0);
+        let height = digits::height(largest, 0.15 * self.side, 0.4 * self.side);
         for (cell, tile) in self.packing.tiles.iter().enumerate() {
             let middle = |line: usize| (line as f64 + 0.5) * self.side;
             let center = (middle(cell % w), middle(cell / w));
-            let (high, wide) = (0.15 * self.side, 0.4 * self.side);
-            digits::add(&mut numbers, tile.0, center, high, wide);
+            digits::add(&mut numbers, tile.0, center, height);
         }
         writeln!(out, "<g id=\"engrave\" stroke=\"#00f\" stroke-linecap=\"round\">")?;
         writeln!(out, "<path d=\"{}\"/>\n</g>", svg::data(&numbers, 1.0))?;

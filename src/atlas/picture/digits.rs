@@ -89,14 +89,22 @@ const FIGURES: [&[Step]; 10] = [
     ],
 ];
 
-/// Adds the strokes of a number around a center, at most so high and so wide; the height and
-/// width that they have.
-pub fn add(path: &mut Path, number: u32, center: Point, height: f64, width: f64) -> Point {
-    let text = number.to_string();
-    let long = WIDTH + PITCH * (text.len() - 1) as f64;
-    let unit = (height / HEIGHT).min(width / long);
-    let (left, top) = (center.0 - long * unit / 2.0, center.1 - HEIGHT * unit / 2.0);
-    for (place, figure) in text.bytes().enumerate() {
+/// The largest height, up to this one, at which a number is not wider than that.
+pub fn height(number: u32, height: f64, width: f64) -> f64 {
+    height.min(width / long(number) * HEIGHT)
+}
+
+/// The width of a number on the grid.
+fn long(number: u32) -> f64 {
+    WIDTH + PITCH * f64::from(number.checked_ilog10().unwrap_or(0))
+}
+
+/// Adds the strokes of a number of this height around a center; its width.
+pub fn add(path: &mut Path, number: u32, center: Point, height: f64) -> f64 {
+    let unit = height / HEIGHT;
+    let width = long(number) * unit;
+    let (left, top) = (center.0 - width / 2.0, center.1 - height / 2.0);
+    for (place, figure) in number.to_string().bytes().enumerate() {
         let x = left + PITCH * place as f64 * unit;
         let at = |(dx, dy): Point| (x + dx * unit, top + dy * unit);
         path.commands.extend(FIGURES[usize::from(figure - b'0')].iter().map(|step| match *step {
@@ -105,5 +113,5 @@ pub fn add(path: &mut Path, number: u32, center: Point, height: f64, width: f64)
             Q(cx, cy, x, y) => Command::Quadratic(at((cx, cy)), at((x, y))),
         }));
     }
-    (long * unit, HEIGHT * unit)
+    width
 }

@@ -65,7 +65,7 @@ pub struct Marks {
     light: Path,
     badges: Path,
     indices: Path,
-    /// Heights of numbers, which decide the width of their strokes.
+    /// Heights of numbers: all alike, so that the longest has room.
     glyph: f64,
     index: f64,
 }
@@ -74,6 +74,7 @@ impl Marks {
     /// Nothing yet.
     pub fn new(set: &TileSet, detail: Detail) -> Self {
         let path = Path::default;
+        let largest = set.kind().tiles(set.colors()) - 1;
         Self {
             kind: set.kind(),
             colors: set.colors(),
@@ -85,8 +86,8 @@ impl Marks {
             light: path(),
             badges: path(),
             indices: path(),
-            glyph: GLYPH.0,
-            index: INDEX.0,
+            glyph: digits::height(set.colors().largest() as u32 - 1, GLYPH.0, GLYPH.1),
+            index: digits::height(largest as u32, INDEX.0, INDEX.1),
         }
     }
 
@@ -104,10 +105,9 @@ impl Marks {
         }
         if self.detail.indices {
             let center = (x + 0.5, y + 0.5);
-            let (width, height) = digits::add(&mut self.indices, tile.0, center, INDEX.0, INDEX.1);
-            self.index = self.index.min(height);
+            let width = digits::add(&mut self.indices, tile.0, center, self.index);
             if self.kind == Kind::Wang {
-                let high = height + 0.13;
+                let high = self.index + 0.13;
                 self.badges.pill(center, (width + 0.16).max(high), high);
             }
         }
@@ -153,8 +153,7 @@ impl Marks {
             let [r, g, b] = look.map(u32::from);
             let bright = 299 * r + 587 * g + 114 * b > 128_000;
             let path = if bright { &mut self.dark } else { &mut self.light };
-            let (_, height) = digits::add(path, color.into(), at, GLYPH.0, GLYPH.1);
-            self.glyph = self.glyph.min(height);
+            digits::add(path, color.into(), at, self.glyph);
         }
     }
 

@@ -68,13 +68,14 @@ pub fn contact_sheet(packing: &Packing, size: u32) -> Scene {
     let rows = tiles.len().div_ceil(columns);
     let mut marks = Marks::new(set, detail(tiles.len(), size, false));
     let mut numbers = Path::default();
-    let mut height = NUMBER;
+    let last = tiles.last().map_or(0, |tile| tile.0);
+    let height = digits::height(last, NUMBER, 1.0);
     for (place, &tile) in tiles.iter().enumerate() {
         let x = MARGIN + (place % columns) as f64 * PITCH.0;
         let y = MARGIN + (place / columns) as f64 * PITCH.1;
         marks.tile(tile, (x, y));
         let center = (x + 0.5, y + 1.0 + 0.13 + NUMBER / 2.0);
-        height = height.min(digits::add(&mut numbers, tile.0, center, NUMBER, 1.0).1);
+        digits::add(&mut numbers, tile.0, center, height);
     }
     let length = |count: usize, pitch: f64| 2.0 * MARGIN + (count - 1) as f64 * pitch + 1.0;
     let mut scene = Scene::new(length(columns, PITCH.0), length(rows, PITCH.1) + PITCH.1 - PITCH.0);
