@@ -17,6 +17,7 @@ const PAGES: &[(&str, &str, usize)] = &[
     ("docs/boards.md", include_str!("../docs/boards.md"), 8),
     ("docs/coverings.md", include_str!("../docs/coverings.md"), 3),
     ("docs/exports.md", include_str!("../docs/exports.md"), 6),
+    ("docs/atlas.md", include_str!("../docs/atlas.md"), 11),
     ("docs/formats-out.md", include_str!("../docs/formats-out.md"), 18),
     ("docs/shaders.md", include_str!("../docs/shaders.md"), 5),
     ("docs/search.md", include_str!("../docs/search.md"), 2),

@@ -95,7 +95,10 @@ fn pictures_become_textures() {
         let run =
             place.run(&format!("export p.txt --to {format} --image a.png --linear -o a.{format}"));
         assert_eq!(run.code, 0, "{run:?}");
-        assert_eq!(run.stderr, format!("tilepack: 64x64 texels, 1 level; written to a.{format}\n"));
+        assert_eq!(
+            run.stderr,
+            format!("tilepack: 64x64 texels, 5 levels; written to a.{format}\n")
+        );
         let bytes = std::fs::read(place.path(&format!("a.{format}"))).unwrap();
         assert!(bytes.starts_with(begin) && bytes.len() > 64 * 64 * 4);
     }
