@@ -329,7 +329,7 @@ mod tests {
                     for (width, height) in [(1, 1), (3, 700), (1500, 401)] {
                         let bytes = width * height * format.bytes();
                         let data = (0..bytes as u64)
-                            .map(|at| if at % 5000 < 2500 { 7 } else { (at * at >> 7) as u8 });
+                            .map(|at| if at % 5000 < 2500 { 7 } else { ((at * at) >> 7) as u8 });
                         let image =
                             Image::from_data(width, height, format, data.collect()).unwrap();
                         let mut file = Vec::new();

@@ -81,7 +81,7 @@ pub fn run(args: &AtlasArgs) -> anyhow::Result<Exit> {
     if let (Some(file), Some(exactness)) = (&args.html, &exactness) {
         let page = viewer::Scene {
             packing: &packing,
-            levels: levels.iter().map(|level| png_bytes(level)).collect::<io::Result<_>>()?,
+            levels: levels.iter().map(png_bytes).collect::<io::Result<_>>()?,
             side: layout.side,
             strip: pictures.strip,
             exact_to_lod: exactness.exact_to_lod(),
