@@ -24,10 +24,11 @@
 //! 15. [`verify`]: packings checked from the definition, by code that shares nothing with the
 //!     search.
 //! 16. [`aperiodic`]: sets of tiles that fill the plane, but never periodically.
-//! 17. [`atlas`]: from a packing to a texture.
-//! 18. [`store`]: files, whole or not at all.
-//! 19. [`cluster`]: one search in parts, on many machines.
-//! 20. [`cli`]: the command line.
+//! 17. [`tiling`]: endless tilings, evaluated anywhere.
+//! 18. [`atlas`]: from a packing to a texture.
+//! 19. [`store`]: files, whole or not at all.
+//! 20. [`cluster`]: one search in parts, on many machines.
+//! 21. [`cli`]: the command line.
 //!
 //! Every layer uses only those before it (the search none), so each can be read, and trusted,
 //! without the later ones.
@@ -73,5 +74,6 @@ pub mod search;
 pub mod store;
 pub mod symmetry;
 pub mod tiles;
+pub mod tiling;
 pub mod torus;
 pub mod verify;

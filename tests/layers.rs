@@ -31,7 +31,8 @@ const LAYERS: &[(&str, &[&str])] = &[
     ("export", &["tiles", "torus", "symmetry", "packing"]),
     // Of the search only what says when to stop.
     ("aperiodic", &["tiles", "torus", "search"]),
-    ("atlas", &["tiles", "torus", "construct"]),
+    ("tiling", &["tiles", "torus", "construct"]),
+    ("atlas", &["tiles", "torus", "construct", "tiling"]),
     ("store", &["tiles", "torus", "search", "symmetry", "packing"]),
     ("cluster", &["packing", "store"]),
     (
@@ -51,6 +52,7 @@ const LAYERS: &[(&str, &[&str])] = &[
             "cover",
             "export",
             "aperiodic",
+            "tiling",
             "atlas",
             "verify",
             "store",
@@ -65,6 +67,7 @@ const CRATES: &[(&str, &[&str])] = &[
     ("clap", &["cli/", "main.rs"]),
     ("ctrlc", &["cli/signal.rs"]),
     ("indicatif", &["cli/progress.rs"]),
+    ("roxmltree", &["atlas/formats/"]),
     ("bincode", &["store/codec.rs"]),
     ("serde_json", &["store/", "cli/", "atlas/"]),
     ("rayon", &["packing/", "symmetry/", "atlas/", "aperiodic/classify/", "cli/"]),

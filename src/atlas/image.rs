@@ -134,9 +134,9 @@ impl Image {
         &self.data
     }
 
-    /// All samples, the picture given up.
-    pub fn into_data(self) -> Vec<u8> {
-        self.data
+    /// The same samples, meant otherwise.
+    pub fn with_light(self, light: Light) -> Self {
+        Self { format: Format { light, ..self.format }, ..self }
     }
 
     /// The samples of a row.

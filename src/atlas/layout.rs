@@ -100,7 +100,7 @@ impl Layout {
         if gutter > side {
             return asked(format!("a gutter of {gutter} texels: at most the tile's {side}"));
         }
-        if columns == 0 || tiles.is_empty() || tiles.len() % columns != 0 {
+        if columns == 0 || tiles.is_empty() || !tiles.len().is_multiple_of(columns) {
             let cells = tiles.len();
             return asked(format!("{cells} tiles do not fill rows of {columns}"));
         }

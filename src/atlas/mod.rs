@@ -8,12 +8,21 @@
 //! endless tiling.
 //!
 //! * [`Image`] is a picture in memory, [`Format`] how its samples are to be read;
-//! * [`TileImages`] draws the tiles of a set, [`palette`] gives colors their look.
+//! * [`TileImages`] draws the tiles of a set; [`fill`] makes pictures up, [`Folder`] and [`Sheet`]
+//!   are given, [`StripCheck`] sees whether they keep the strip;
+//! * [`Layout`] says where tiles lie, [`Scene`] draws them, [`chain`] makes mip levels, [`tables`]
+//!   are for mappers;
+//! * [`filter`] says where filtering is exact, [`lint`] whether the tiles of a sheet fit;
+//! * [`PngWriter`] writes PNG, [`light`] decodes it; [`palette`] gives colors their look;
+//! * [`formats`] are those of other programs, [`picture`] draws for people, [`demo`] lays tiles;
+//! * [`shader`] writes the endless tiling for graphics cards, [`viewer`] a page that draws it.
 
 mod compose;
+pub mod demo;
 mod error;
 pub mod fill;
 pub mod filter;
+pub mod formats;
 mod given;
 mod image;
 mod layout;
@@ -21,11 +30,14 @@ pub mod light;
 pub mod lint;
 mod mips;
 pub mod palette;
+pub mod picture;
 mod png;
+pub mod shader;
 pub mod sides;
 mod strip;
 pub mod tables;
 mod tile_images;
+pub mod viewer;
 
 pub use compose::Scene;
 pub use error::AtlasError;

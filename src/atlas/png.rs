@@ -3,7 +3,8 @@
 //! The rows are cut into pieces of some hundred kilobytes, each compressed on its own and ended
 //! at a byte (a deflate stream may be cut there: RFC 1951, 3.2.4), so the bytes are the same for
 //! any number of threads. A row is stored as it is, or as the difference to its left or upper
-//! neighbor, whichever has the smallest sum (PNG specification, 12.7).
+//! neighbor (in small pictures also to the nearest of three), whichever has the smallest sum (PNG
+//! specification, 12.7).
 
 use super::{Channels, Depth, Format, Image, Light};
 use flate2::{Compress, Compression, Crc, FlushCompress, Status};
@@ -12,6 +13,9 @@ use std::io::{self, BufRead, Seek, Write};
 
 /// Bytes of samples that are compressed together.
 const PIECE: usize = 512 << 10;
+
+/// Bytes of samples of a picture that is worth the effort of compressing well.
+const SMALL: usize = 32 << 20;
 
 /// Bytes of a PNG's compressed data in one chunk of the file at most.
 const CHUNK: usize = 1 << 30;
@@ -26,6 +30,8 @@ pub struct PngWriter<W: Write> {
     pending: Vec<u8>,
     /// Adler-32 of what went before.
     adler: u32,
+    /// Whether to compress well, or fast.
+    well: bool,
 }
 
 impl<W: Write> PngWriter<W> {
@@ -67,7 +73,8 @@ impl<W: Write> PngWriter<W> {
         chunk(&mut out, b"IDAT", &[0x78, 0x01])?;
         let row = width * format.bytes();
         let (pending, texel) = (vec![0; row], format.bytes());
-        Ok(Self { out, row, texel, rows_left: height, pending, adler: 1 })
+        let well = row.saturating_mul(height) <= SMALL;
+        Ok(Self { out, row, texel, rows_left: height, pending, adler: 1, well })
     }
 
     /// Takes the next rows; their number is that of the bytes by those of a row.
@@ -113,14 +120,14 @@ impl<W: Write> PngWriter<W> {
     fn compress(&mut self, rows: usize, last: bool) -> io::Result<()> {
         let (row, texel, piece_rows) = (self.row, self.texel, self.piece_rows());
         let starts: Vec<usize> = (0..rows.max(1)).step_by(piece_rows).collect();
-        let pending = &self.pending;
+        let (pending, well) = (&self.pending, self.well);
         let pieces: Vec<io::Result<Piece>> = starts
             .par_iter()
             .map(|&start| {
                 let end = (start + piece_rows).min(rows);
                 // One row more: the one above the first.
                 let lines = &pending[start * row..(end + 1) * row];
-                Piece::new(lines, row, texel, last && end == rows)
+                Piece::new(lines, row, texel, well, last && end == rows)
             })
             .collect();
         for piece in pieces {
@@ -145,14 +152,15 @@ struct Piece {
 
 impl Piece {
     /// Compresses all rows but the first, which is the one above them.
-    fn new(lines: &[u8], row: usize, texel: usize, last: bool) -> io::Result<Self> {
+    fn new(lines: &[u8], row: usize, texel: usize, well: bool, last: bool) -> io::Result<Self> {
         let mut filtered = Vec::with_capacity(lines.len() / row.max(1) * (row + 1));
         let mut above = &lines[..row];
         for line in lines[row..].chunks_exact(row) {
-            push_filtered(&mut filtered, line, above, texel);
+            push_filtered(&mut filtered, line, above, texel, well);
             above = line;
         }
-        let mut compress = Compress::new(Compression::fast(), false);
+        let level = if well { Compression::new(7) } else { Compression::fast() };
+        let mut compress = Compress::new(level, false);
         let mut compressed = Vec::with_capacity(filtered.len() / 2 + 64);
         let flush = if last { FlushCompress::Finish } else { FlushCompress::Full };
         loop {
@@ -170,13 +178,18 @@ impl Piece {
 }
 
 /// The row after its best filter, with the number of the filter before it.
-fn push_filtered(to: &mut Vec<u8>, line: &[u8], above: &[u8], texel: usize) {
+fn push_filtered(to: &mut Vec<u8>, line: &[u8], above: &[u8], texel: usize, well: bool) {
     let size = |byte: u8| u64::from(byte.min(byte.wrapping_neg()));
     let plain: u64 = line.iter().map(|&byte| size(byte)).sum();
     let texel_before = line.iter().zip(&line[texel.min(line.len())..]);
     let left: u64 = texel_before.map(|(&before, &byte)| size(byte.wrapping_sub(before))).sum();
     let up: u64 = line.iter().zip(above).map(|(&byte, &up)| size(byte.wrapping_sub(up))).sum();
-    if plain <= left && plain <= up {
+    let paeth = || (0..line.len()).map(|at| size(paeth_filtered(line, above, texel, at))).sum();
+    let paeth: u64 = if well { paeth() } else { u64::MAX };
+    if paeth < plain.min(left).min(up) {
+        to.push(4);
+        to.extend((0..line.len()).map(|at| paeth_filtered(line, above, texel, at)));
+    } else if plain <= left && plain <= up {
         to.push(0);
         to.extend_from_slice(line);
     } else if left <= up {
@@ -187,6 +200,23 @@ fn push_filtered(to: &mut Vec<u8>, line: &[u8], above: &[u8], texel: usize) {
         to.push(2);
         to.extend(line.iter().zip(above).map(|(&byte, &up)| byte.wrapping_sub(up)));
     }
+}
+
+/// A sample less the one of its left, upper and upper left neighbors that is nearest to left plus
+/// upper less upper left (PNG specification, 9.4).
+fn paeth_filtered(line: &[u8], above: &[u8], texel: usize, at: usize) -> u8 {
+    let before = |row: &[u8]| if at >= texel { row[at - texel] } else { 0 };
+    let (left, up, corner) = (before(line), above[at], before(above));
+    let guess = i16::from(left) + i16::from(up) - i16::from(corner);
+    let away = |sample: u8| (guess - i16::from(sample)).abs();
+    let nearest = if away(left) <= away(up) && away(left) <= away(corner) {
+        left
+    } else if away(up) <= away(corner) {
+        up
+    } else {
+        corner
+    };
+    line[at].wrapping_sub(nearest)
 }
 
 const ADLER: u64 = 65521;
@@ -299,7 +329,7 @@ mod tests {
                     for (width, height) in [(1, 1), (3, 700), (1500, 401)] {
                         let bytes = width * height * format.bytes();
                         let data = (0..bytes as u64)
-                            .map(|at| if at % 5000 < 2500 { 7 } else { (at * at >> 7) as u8 });
+                            .map(|at| if at % 5000 < 2500 { 7 } else { ((at * at) >> 7) as u8 });
                         let image =
                             Image::from_data(width, height, format, data.collect()).unwrap();
                         let mut file = Vec::new();

@@ -1,8 +1,8 @@
 //! Tables for mappers: from tiles to cells of the atlas, and back.
 //!
-//! The formats are described in `docs/atlas.md`. Numbers of tiles count from 0 as everywhere;
-//! a tile that the set does not have gets the largest value of its field.
+//! The formats are described in `docs/atlas.md`. Numbers of tiles count from 0 as everywhere.
 
+use super::shader::CellTable;
 use super::{Channels, Depth, Format, Image, Layout, Light};
 use crate::tiles::TileId;
 use serde_json::json;
@@ -155,37 +155,28 @@ pub fn tile_picture(layout: &Layout) -> io::Result<Image> {
     Ok(image)
 }
 
-/// The cell of every tile as a picture: the tile with number n is the texel in column
-/// n modulo w and row n / w, w the largest power of two not above 256 and the number of tiles.
-/// Its gray is column + row * columns; the largest value where there is no tile.
+/// The cell of every tile as a picture, as shaders read it ([`CellTable`]): tile n is the texel in
+/// column n modulo the width, row n / width, its gray column + row * columns. Tiles that are not
+/// there get 0.
 ///
 /// # Errors
 /// Sets of too many tiles, cells that need more than 16 bits.
 pub fn cell_picture(layout: &Layout) -> io::Result<Image> {
     let dense = dense(layout)?;
     let format = field(layout.tiles.len() as u32 - 1)?;
-    let width = cell_picture_width(dense.len() as u64);
-    let mut image = Image::new(width, dense.len().div_ceil(width), format);
-    let places = image.width() * image.height();
-    for at in 0..places {
-        let cell = dense.get(at).copied().flatten();
-        let value = cell.map_or(format.max(), |cell| cell as u16);
-        image.set_sample(at % width, at / width, 0, value);
+    let (width, height) = CellTable::size(dense.len() as u64);
+    let mut image = Image::new(width, height, format);
+    for (tile, cell) in dense.into_iter().enumerate() {
+        image.set_sample(tile % width, tile / width, 0, cell.unwrap_or(0) as u16);
     }
     Ok(image)
 }
 
-/// Texels of a row of [`cell_picture`].
-pub fn cell_picture_width(tiles: u64) -> usize {
-    let below = tiles.min(256);
-    1 << below.ilog2()
-}
-
-/// Gray with enough bits for values up to this, with one value to spare.
+/// Gray with enough bits for values up to this.
 fn field(largest: u32) -> io::Result<Format> {
     let depth = match largest {
-        0..=254 => Depth::Eight,
-        255..=65534 => Depth::Sixteen,
+        0..=255 => Depth::Eight,
+        256..=65535 => Depth::Sixteen,
         _ => {
             return Err(io::Error::other(format!(
                 "the value {largest} does not fit the 16 bits of a picture; the JSON and CSV \

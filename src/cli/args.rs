@@ -11,6 +11,8 @@ mod export;
 mod find;
 mod formats;
 mod parts;
+mod shader;
+mod tile;
 mod walk;
 
 pub use aperiodic::{AperiodicCommand, ClassifyArgs, DecideArgs, UpToArg};
@@ -19,8 +21,10 @@ pub use board::BoardArgs;
 pub use cube::{CubeArgs, CubeKindArg};
 pub use export::{ExportCnfArgs, ExportOut, ExportXccArgs};
 pub use find::{FindArgs, FirstRow, Method, ValueOrder};
-pub use formats::{ExportArgs, To};
+pub use formats::{ExportArgs, ImportArgs, To};
 pub use parts::{ClusterCommand, JobArgs, MergeArgs, PartArgs, PlanArgs, SlurmArgs};
+pub use shader::{ColoringArg, Lookup, ShaderArgs};
+pub use tile::TileArgs;
 pub use walk::WalkArgs;
 
 use super::ring::RingOrder;
@@ -86,12 +90,18 @@ pub enum Command {
     /// Find out whether the tiles of a sheet fit
     #[command(after_help = help::LINT)]
     Lint(LintArgs),
+    /// Say which tile lies at a place of an endless tiling
+    #[command(after_help = help::TILE)]
+    Tile(TileArgs),
     /// Write a packing for other programs: map editors, engines, shaders, pictures
     #[command(after_help = help::EXPORT)]
     Export(ExportArgs),
     /// Convert, decide, classify and find sets of tiles that fill the plane without a period
     #[command(after_help = help::APERIODIC, subcommand, disable_help_subcommand = true)]
     Aperiodic(AperiodicCommand),
+    /// Read a tile set of the map editor Tiled, so that it can be packed
+    #[command(after_help = help::IMPORT)]
+    Import(ImportArgs),
     /// Check packings from the definition
     #[command(after_help = help::VERIFY)]
     Verify(VerifyArgs),

@@ -3,10 +3,10 @@
 use super::args::{ArrangeArg, AtlasArgs, GutterArg};
 use super::exit::Exit;
 use super::tile_pictures::{self, Pictures};
-use super::{output, session, source};
+use super::{describe, output, session, source};
 use crate::atlas::filter::{Exactness, Filter};
 use crate::atlas::{
-    Arrangement, AtlasError, Gutter, Image, Layout, PngWriter, Scene, tables, write_png,
+    Arrangement, AtlasError, Gutter, Image, Layout, PngWriter, Scene, tables, viewer, write_png,
 };
 use crate::store::{AtomicFile, check_writable, write_file};
 use anyhow::{Context, ensure};
@@ -27,6 +27,13 @@ pub fn run(args: &AtlasArgs) -> anyhow::Result<Exit> {
         args.output.is_some() || args.tables.is_some() || args.html.is_some() || args.check,
         "nothing to do: expected -o OUT.png, --tables DIR, --html OUT.html or --check"
     );
+    ensure!(
+        args.html.is_none() || (args.arrange == ArrangeArg::Packed && args.gutter == 0),
+        "--html shows the packed atlas: it does not go with --arrange and --gutter"
+    );
+    for file in [&args.output, &args.html].into_iter().flatten() {
+        check_writable(file)?;
+    }
     session::threads(args.threads)?;
     let packing = source::packing(&args.file, &args.claim)?;
     let pictures = tile_pictures::pictures(&args.tiles, &packing)?;
@@ -67,14 +74,34 @@ pub fn run(args: &AtlasArgs) -> anyhow::Result<Exit> {
     if let Some(folder) = &args.tables {
         table_files = write_tables(folder, &layout, pictures.strip, args.quiet)?;
     }
-    let exactness = match args.check {
+    let exactness = match in_memory {
         true => Some(Filter::new(&layout, &levels)?.exactness()),
         false => None,
     };
+    if let (Some(file), Some(exactness)) = (&args.html, &exactness) {
+        let page = viewer::Scene {
+            packing: &packing,
+            levels: levels.iter().map(png_bytes).collect::<io::Result<_>>()?,
+            side: layout.side,
+            strip: pictures.strip,
+            exact_to_lod: exactness.exact_to_lod(),
+            light: pictures.images.format().light,
+            seed: args.tiles.seed as u32,
+            title: describe::set(&packing.set),
+        };
+        write_file(file, |out| viewer::write(out, &page))?;
+    }
+    let exactness = exactness.filter(|_| args.check);
     report(args, &layout, &pictures, &written, &table_files, exactness.as_ref())?;
     let promised = promised(&layout, pictures.strip);
     let kept = exactness.is_none_or(|exactness| exactness.exact_to_lod() >= promised);
     Ok(if kept { Exit::Yes } else { Exit::No })
+}
+
+fn png_bytes(image: &Image) -> io::Result<Vec<u8>> {
+    let mut bytes = Vec::new();
+    write_png(&mut bytes, image, &[])?;
+    Ok(bytes)
 }
 
 /// The level through which strip and gutter let filtering be exact.
@@ -222,6 +249,7 @@ fn report(
             ("levels", json!(layout.levels())),
             ("files", json!(names(written))),
             ("tables", json!(names(tables))),
+            ("html", json!(args.html.as_ref().map(|file| file.to_string_lossy()))),
         ];
         fields.extend(exactness.map(exactness_fields).unwrap_or_default());
         return output::object(&fields);

@@ -3,8 +3,11 @@
 //! * [`args`] is the command line as typed, [`help`] its longer texts; [`set`] and [`problem`]
 //!   turn it into what the library wants and refuse what makes no sense.
 //! * One file a command: [`find`] (by [`construct`], [`anneal`], [`beam`], [`cover`], [`restarts`] or
-//!   [`portfolio`], whichever it is told to or [`choose`]s), [`locate`], [`count`] (also by [`formula`]), [`list`],
-//!   [`estimate`], [`export`] (for other solvers), [`atlas`] and [`lint`] (textures, of [`tile_pictures`]), [`formats`] (for other programs), [`mod@aperiodic`], [`resume`], [`plan`], [`part`] (the command `run`), [`merge`], [`cluster`] (job
+//!   [`portfolio`], whichever it is told to or [`choose`]s), [`locate`], [`tile`] (of a [`tiling`]),
+//!   [`count`] (also by [`formula`]), [`list`], [`estimate`], [`export`] (for other solvers),
+//!   [`atlas`] and [`lint`] (textures, of [`tile_pictures`]), [`formats`] (for other programs, of
+//!   which [`export_shader`] writes shaders) and [`import`], [`mod@aperiodic`], [`resume`], [`plan`], [`part`] (the
+//!   command `run`), [`merge`], [`cluster`] (job
 //!   files), [`verify`] (with [`recursive`]), [`show`], [`sets`], [`cube`], [`walk`]; [`ring`] is the option
 //!   `--ring` of two of them.
 //! * [`session`] runs a search with limits, [`signal`]s, [`progress`], [`eta`] (the time that is
@@ -34,11 +37,13 @@ pub mod estimate;
 pub mod eta;
 pub mod exit;
 pub mod export;
+pub mod export_shader;
 pub mod find;
 pub mod formats;
 pub mod formula;
 pub mod found;
 pub mod help;
+pub mod import;
 pub mod lint;
 pub mod list;
 pub mod locate;
@@ -62,7 +67,9 @@ pub mod show;
 pub mod signal;
 pub mod source;
 pub mod status;
+pub mod tile;
 pub mod tile_pictures;
+pub mod tiling;
 pub mod verify;
 pub mod walk;
 
@@ -84,6 +91,7 @@ pub fn run() -> Exit {
     let exit = match &cli.command {
         Command::Find(args) => find::run(args),
         Command::Locate(args) => locate::run(args),
+        Command::Tile(args) => tile::run(args),
         Command::Count(args) => count::run(args),
         Command::List(args) => list::run(args),
         Command::Estimate(args) => estimate::run(args),
@@ -97,6 +105,7 @@ pub fn run() -> Exit {
         Command::Lint(args) => lint::run(args),
         Command::Export(args) => formats::run(args),
         Command::Aperiodic(command) => aperiodic::run(command),
+        Command::Import(args) => import::run(args),
         Command::Verify(args) => verify::run(args),
         Command::Show(args) => show::run(args),
         Command::Sets(args) => sets::run(args),

@@ -146,11 +146,7 @@ fn light(linear: bool) -> Light {
 /// A picture whose samples are meant as the option says.
 fn open_sheet(file: &Path, linear: bool) -> anyhow::Result<Image> {
     let image = open_png(file)?;
-    let light = if linear { Light::Linear } else { image.format().light };
-    let format = Format { light, ..image.format() };
-    let (width, height) = (image.width(), image.height());
-    let data = image.into_data();
-    Image::from_data(width, height, format, data).context("a picture of the wrong size")
+    Ok(if linear { image.with_light(Light::Linear) } else { image })
 }
 
 /// The tiles of a sheet, as a file says. The number of columns is that given, that of the

@@ -28,6 +28,35 @@ pub fn color(colors: usize, row: usize, column: usize) -> u8 {
     2 * digit as u8 + BASE[row % 4][column % 4]
 }
 
+/// Where in [`BASE`] the window with each four low bits `NW NE SW SE` begins: `4 row + column`.
+pub const WINDOWS: [u8; 16] = {
+    let mut windows = [0; 16];
+    let mut cell = 0;
+    while cell < 16 {
+        let (row, column) = (cell / 4, cell % 4);
+        let (below, east) = ((row + 1) % 4, (column + 1) % 4);
+        let (above, beneath) = (&BASE[row], &BASE[below]);
+        let low = 8 * above[column] + 4 * above[east] + 2 * beneath[column] + beneath[east];
+        windows[low as usize] = cell as u8;
+        cell += 1;
+    }
+    windows
+};
+
+/// The row and column of a window, for even `colors`: no table of the torus is needed.
+pub fn find(colors: usize, window: Window) -> (usize, usize) {
+    let k = colors / 2;
+    let begin = usize::from(WINDOWS[bits(window.map(|pair| pair.map(|color| color % 2)))]);
+    let (row, column) = (begin / 4, begin % 4);
+    // The digit in the even rows (or odd ones) and the even columns (or odd ones) of the torus.
+    let digit = |odd_row: usize, odd_column: usize| {
+        usize::from(window[(row + odd_row) % 2][(column + odd_column) % 2] / 2)
+    };
+    // A window that begins in the last row of a block has its even row in the next one.
+    let low = (digit(0, 0) + if row == 3 { k - 1 } else { 0 }) % k;
+    (4 * (digit(1, 0) * k + low) + row, 4 * (digit(1, 1) * k + digit(0, 1)) + column)
+}
+
 /// A member of the family. [`EvenTorus::new`] without a seed is the closed form [`color`].
 #[derive(Debug, Clone)]
 pub struct EvenTorus {

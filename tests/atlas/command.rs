@@ -108,6 +108,21 @@ fn the_picture_says_what_it_is() {
     assert_eq!(text[1], "tilepack atlas two.json --fill noise --tile-size 16 --strip 4 --seed 5");
 }
 
+/// The pictures on the pages are those that the program makes.
+#[test]
+fn pictures_of_the_pages() {
+    let place = with_packings();
+    let pages = PathBuf::from(concat!(env!("CARGO_MANIFEST_DIR"), "/docs/pictures"));
+    for (packing, side, picture) in
+        [("three", 64, "three-truchet.png"), ("wang", 96, "wang-truchet.png")]
+    {
+        let command = format!("atlas {packing}.json --fill truchet --tile-size {side}");
+        place.exits(0, &format!("{command} --channels rgb -o a.png"));
+        let shown = read_png(Cursor::new(fs::read(pages.join(picture)).unwrap()), 1 << 30);
+        assert!(shown.unwrap() == place.picture("a.png"), "{picture}");
+    }
+}
+
 /// Depths, channels and light as asked.
 #[test]
 fn samples_as_asked() {

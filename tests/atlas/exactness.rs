@@ -30,6 +30,9 @@ fn exactness(
 
 const PACKED: (Arrangement, (usize, Gutter)) = (Arrangement::Packed, (0, Gutter::Neighbor));
 
+/// What is looked at: a name, pictures, where tiles lie, and their gutters.
+type Case<'a> = (&'a str, &'a Packing, Noise, Arrangement, (usize, Gutter));
+
 /// The same largest difference as filtering a large tiling gives; zero where it gives zero.
 #[test]
 fn as_the_oracle_says() {
@@ -39,7 +42,7 @@ fn as_the_oracle_says() {
     let loose = Noise { loose_corners: true, ..strict(&square, 2) };
     let by_number = Arrangement::ByNumber;
     let (packed, none) = PACKED;
-    let cases: [(&str, &Packing, Noise, Arrangement, (usize, Gutter)); 6] = [
+    let cases: [Case<'_>; 6] = [
         ("corner, packed", &two, strict(&two, 2), packed, none),
         ("corner, by number", &two, strict(&two, 2), by_number, none),
         ("corner, gutter", &two, strict(&two, 2), by_number, (2, Gutter::Neighbor)),

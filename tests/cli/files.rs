@@ -48,8 +48,10 @@ fn an_output_that_cannot_be_written_is_told_before_the_search() {
 fn help_and_version() {
     let version = run("--version").exits(0);
     assert_eq!(version.stdout, format!("tilepack {}\n", env!("CARGO_PKG_VERSION")));
-    for command in ["", "find", "locate", "count", "list", "verify", "show", "sets", "cube", "walk"]
-    {
+    for command in [
+        "", "find", "locate", "count", "list", "verify", "show", "sets", "cube", "walk", "export",
+        "import", "tile", "atlas", "lint",
+    ] {
         for option in ["--help", "-h"] {
             let help = run(&format!("{command} {option}")).exits(0);
             assert!(help.stdout.contains("Examples:"), "{command} {option}");
@@ -66,7 +68,7 @@ fn the_examples_run() {
     place.write("begun.txt", "0 0 . .\n. . . .\n. . . .\n. . . .\n");
     place.run("find --kind corner --colors 4 --automorphism 4,0:1,2,3,0 --values random --quiet");
     let mut tried = 0;
-    for command in ["", "find", "count", "sets"] {
+    for command in ["", "find", "count", "sets", "export", "import", "tile", "atlas", "lint"] {
         let help = run(&format!("{command} --help")).stdout;
         for line in help.lines().filter(|line| line.starts_with("  tilepack ")) {
             let line = line.split("   ").next().unwrap();

@@ -21,8 +21,10 @@ mod recursive;
 mod restarts;
 mod rows;
 mod sets;
+mod shader;
 mod show;
 mod stopping;
+mod tile;
 mod verify;
 mod walk;
 

@@ -152,7 +152,7 @@ fn contours(
     let step = terrace - terrace.floor();
     let soft = (7.0 * slope).min(0.5);
     let edge = ((0.5 - (step - 0.5).abs()) / soft).min(1.0);
-    let dark = if terrace.floor() as u32 % 2 == 0 { 0.0 } else { 0.16 };
+    let dark = if (terrace.floor() as u32).is_multiple_of(2) { 0.0 } else { 0.16 };
     let shade = mix(colors[first], [0.0; 3], dark * edge + 0.08 * (1.0 - edge));
     let ridge = (1.6 - above / slope).clamp(0.0, 1.0);
     mix(shade, RIDGE, ridge)

@@ -1,0 +1,160 @@
+// Draws the endless tiling. The functions of the tiling (tp_...) stand before this text.
+//
+// Packed, row by row, and assembled differ in one place, texel(): what lies across the border of a
+// tile. Everything else, weights and order of summation too, is the same code, so where the three
+// fetch the same texels they give the same bits.
+
+uniform usampler2D table;
+uniform usampler2D map;
+// For every cell its place when tiles lie in order of their numbers, and the cell of every place.
+uniform usampler2D ranks;
+uniform sampler2D atlas;
+
+// The camera: the tile at the middle, the place in it, tiles per pixel, the middle in pixels.
+uniform ivec2 base;
+uniform vec2 offset;
+uniform float scale;
+uniform vec2 middle;
+
+uniform int side;
+uniform int last_level;
+uniform float lod;
+uniform int probes;
+uniform int view;
+uniform float gain;
+uniform bool hardware;
+uniform bool encoded;
+uniform float borders;
+uniform ivec2 hover;
+uniform bool hovering;
+
+out vec4 color;
+
+const int PACKED = 0;
+const int ROWS = 1;
+const int ASSEMBLED = 2;
+const int DIFFERENCE = 3;
+
+ivec2 cell_of(ivec2 tile) {
+    return ivec2(tp_cell(tp_sides(tile.x, tile.y TP_MAP), table));
+}
+
+ivec2 grid() {
+    return ivec2(int(tp_WIDTH), int(tp_HEIGHT));
+}
+
+// Rounded down, also below zero.
+ivec2 divided(ivec2 a, int by) {
+    return ivec2(floor((vec2(a) + 0.5) / float(by)));
+}
+
+// The texel q of a level: counted from the north-west corner of a tile, x east, y south, and perhaps
+// outside of it. `cell` is where the tile lies in the sheet of the view.
+vec4 texel(int how, ivec2 tile, ivec2 cell, ivec2 q, int level) {
+    int s = max(side >> level, 1);
+    ivec2 step = divided(q, s);
+    ivec2 inside = q - step * s;
+    ivec2 there = cell + step;
+    if (how == ASSEMBLED) {
+        there = cell;
+        if (step != ivec2(0)) {
+            there = cell_of(tile + ivec2(step.x, -step.y));
+        }
+    } else {
+        ivec2 around = grid();
+        there = there - around * ivec2(floor((vec2(there) + 0.5) / vec2(around)));
+        if (how == ROWS) {
+            int found = int(texelFetch(ranks, there, 0).g);
+            there = ivec2(found % around.x, found / around.x);
+        }
+    }
+    return texelFetch(atlas, there * s + inside, level);
+}
+
+vec4 bilinear(int how, ivec2 tile, ivec2 cell, vec2 at, int level) {
+    int s = max(side >> level, 1);
+    vec2 p = at * float(s) - 0.5;
+    vec2 whole = floor(p);
+    vec2 part = p - whole;
+    ivec2 q = ivec2(whole);
+    vec4 a = texel(how, tile, cell, q, level);
+    vec4 b = texel(how, tile, cell, q + ivec2(1, 0), level);
+    vec4 c = texel(how, tile, cell, q + ivec2(0, 1), level);
+    vec4 d = texel(how, tile, cell, q + ivec2(1, 1), level);
+    return mix(mix(a, b, part.x), mix(c, d, part.x), part.y);
+}
+
+// `at` goes from the north-west corner of the tile (0, 0) to its south-east one (1, 1).
+vec4 trilinear(int how, ivec2 tile, ivec2 cell, vec2 at) {
+    int level = int(floor(lod));
+    float part = lod - float(level);
+    vec4 fine = bilinear(how, tile, cell, at, level);
+    if (part == 0.0) {
+        return fine;
+    }
+    return mix(fine, bilinear(how, tile, cell, at, min(level + 1, last_level)), part);
+}
+
+// As many probes along the longer axis of the footprint as it is times as long; the axis is x.
+vec4 filtered(int how, ivec2 tile, vec2 inside) {
+    ivec2 cell = cell_of(tile);
+    if (how == ROWS) {
+        int rank = int(texelFetch(ranks, cell, 0).r);
+        cell = ivec2(rank % grid().x, rank / grid().x);
+    }
+    vec2 at = vec2(inside.x, 1.0 - inside.y);
+    float texel_size = exp2(lod) / float(side);
+    vec4 sum = vec4(0.0);
+    for (int i = 0; i < probes; i++) {
+        float along = (float(i) + 0.5 - 0.5 * float(probes)) * texel_size;
+        sum += trilinear(how, tile, cell, at + vec2(along, 0.0));
+    }
+    return sum / float(probes);
+}
+
+vec4 sampled(ivec2 tile, vec2 inside) {
+    float texel_size = exp2(lod) / float(side);
+    vec2 dx = vec2(float(probes) * texel_size, 0.0);
+    return tp_sample(tile, inside, dx, vec2(0.0, texel_size) TP_MAP, table, atlas);
+}
+
+vec3 for_the_eye(vec3 light) {
+    vec3 curved = 1.055 * pow(max(light, vec3(0.0)), vec3(1.0 / 2.4)) - 0.055;
+    vec3 shown = mix(curved, 12.92 * light, vec3(lessThanEqual(light, vec3(0.0031308))));
+    return encoded ? shown : light;
+}
+
+vec4 shown(int how, ivec2 tile, vec2 inside) {
+    vec4 found = hardware && how == PACKED ? sampled(tile, inside) : filtered(how, tile, inside);
+    return vec4(for_the_eye(found.rgb), found.a);
+}
+
+void main() {
+    vec2 position = offset + (gl_FragCoord.xy - middle) * scale;
+    vec2 whole = floor(position);
+    ivec2 tile = base + ivec2(whole);
+    vec2 inside = position - whole;
+    if (view == DIFFERENCE) {
+        vec4 apart = abs(shown(PACKED, tile, inside) - shown(ASSEMBLED, tile, inside));
+        // Differences of opacity are shown as gray.
+        color = vec4(gain * max(apart.rgb, vec3(apart.a)), 1.0);
+    } else {
+        vec4 found = shown(view, tile, inside);
+        // What is transparent shows squares of gray, eight pixels each.
+        ivec2 square = ivec2(gl_FragCoord.xy) / 8;
+        float gray = ((square.x + square.y) & 1) == 0 ? 0.75 : 0.55;
+        color = vec4(mix(vec3(gray), found.rgb, found.a), 1.0);
+    }
+    vec2 edge = min(inside, 1.0 - inside) / scale;
+    float near = min(edge.x, edge.y);
+    if (hovering && tile == hover) {
+        float ring = 1.0 - smoothstep(2.0 * borders, 2.0 * borders + 1.0, near);
+        color.rgb = mix(color.rgb, vec3(1.0, 0.72, 0.0), ring);
+    } else if (borders > 0.0) {
+        // Dark with a light seam on each side, to be seen on anything.
+        float seam = 1.0 - smoothstep(1.5 * borders, 1.5 * borders + 1.0, near);
+        float line = 1.0 - smoothstep(0.5 * borders, 0.5 * borders + 1.0, near);
+        color.rgb = mix(color.rgb, vec3(1.0), 0.3 * seam);
+        color.rgb = mix(color.rgb, vec3(view == DIFFERENCE ? 0.8 : 0.05), 0.8 * line);
+    }
+}

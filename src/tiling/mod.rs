@@ -1,0 +1,156 @@
+//! Endless tilings, evaluated anywhere: the tile at a place, without those before it.
+//!
+//! A [`Tiling`] gives every corner, or every edge, of an endless grid a color ([`Coloring`]); the
+//! tile at a place is the one that shows the colors around it. [`Cells`] then say where that tile
+//! lies in a packing, by a table or in closed form.
+//!
+//! **Where things are**, here and in the shaders: `x` grows to the east and `y` to the **north**.
+//! The tile `(x, y)` has its south-west corner at the lattice point `(x, y)` and its north-east
+//! corner at `(x + 1, y + 1)`. Its south edge is the point `(2x + 1, 2y)` of a lattice twice as
+//! fine, its west edge `(2x, 2y + 1)`; north and east are the south and west edge of the tiles
+//! beyond. Rows of packings and pictures still go from north to south: the cell at `row` and
+//! `column` of a torus repeated as it is, is the tile `x = column`, `y = -1 - row`, so that the
+//! south-west cell is the tile `(0, 0)`.
+//!
+//! **How far**: coordinates from `-2^62` to `2^62`. Hashes take their lower 32 bits, so a hashed
+//! tiling repeats after `2^32` corner tiles or `2^31` Wang tiles; shaders count in 32 bits and give
+//! the same there.
+//!
+//! Sources: Lagae 2007, chapter 4 (hashing lattice points); Schlömer 2012, 2.4 (Halton). A new
+//! coloring is a variant of [`Coloring`], an arm of [`Tiling::sides`], and a template of
+//! [`crate::atlas::shader`].
+
+mod cells;
+mod color_map;
+mod error;
+mod halton;
+pub mod hash;
+mod mixed;
+
+pub use cells::{Cells, Formula};
+pub use color_map::ColorMap;
+pub use error::TilingError;
+pub use halton::Halton;
+pub use mixed::{Mixed, mixed};
+
+use crate::tiles::{Colors, Kind, TileId};
+use crate::torus::Shape;
+use hash::{hash3, uni};
+
+/// What gives corners and edges their colors.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Coloring {
+    /// Independent colors by a hash of the place: every tile is as likely as any other.
+    Hash {
+        /// Chooses the tiling.
+        seed: u32,
+    },
+    /// Colors along the Halton sequence: equal colors keep their distance.
+    Halton(Halton),
+    /// A picture of colors, repeated in both directions.
+    Map(ColorMap),
+}
+
+/// An endless tiling.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Tiling {
+    kind: Kind,
+    colors: Colors,
+    coloring: Coloring,
+}
+
+/// The largest coordinate, and less its sign the smallest.
+pub const FARTHEST: i64 = 1 << 62;
+
+impl Tiling {
+    /// Tiles of a kind over these colors.
+    ///
+    /// # Errors
+    /// Dominoes, and a map of another kind or of other colors.
+    pub fn new(kind: Kind, colors: Colors, coloring: Coloring) -> Result<Self, TilingError> {
+        if kind == Kind::Domino {
+            return Err(TilingError::Dominoes);
+        }
+        if let Coloring::Map(map) = &coloring
+            && (map.kind() != kind || map.colors() != colors)
+        {
+            return Err(TilingError::OtherMap {
+                map: format!("{} tiles over {} colors", map.kind(), map.colors()),
+                asked: format!("{kind} tiles over {colors} colors"),
+            });
+        }
+        Ok(Self { kind, colors, coloring })
+    }
+
+    /// The kind of its tiles.
+    pub fn kind(&self) -> Kind {
+        self.kind
+    }
+
+    /// The numbers of colors.
+    pub fn colors(&self) -> Colors {
+        self.colors
+    }
+
+    /// What gives the colors.
+    pub fn coloring(&self) -> &Coloring {
+        &self.coloring
+    }
+
+    /// Whether every tile over the colors can occur.
+    pub fn needs_all_tiles(&self) -> bool {
+        !matches!(self.coloring, Coloring::Map(_))
+    }
+
+    /// The colors of the tile at a place, in the order of [`Kind::sides`].
+    pub fn sides(&self, x: i64, y: i64) -> [u8; 4] {
+        match &self.coloring {
+            Coloring::Hash { seed } => {
+                // The lower 32 bits: what a shader counts in.
+                let hash = |x: i64, y: i64| hash3(*seed, x as u32, y as u32);
+                self.around(x, y, |x, y, colors| uni(hash(x, y), colors as u32) as u8)
+            }
+            Coloring::Halton(halton) => {
+                self.around(x, y, |x, y, colors| halton.color(x, y, colors))
+            }
+            Coloring::Map(map) => map.sides(x, y),
+        }
+    }
+
+    /// The tile at a place.
+    pub fn tile(&self, x: i64, y: i64) -> TileId {
+        let (h, v) = (self.colors.horizontal() as u32, self.colors.vertical() as u32);
+        let [a, b, c, d] = self.sides(x, y).map(u32::from);
+        // Of corner tiles both numbers of colors are the same.
+        TileId(((a * v + b) * h + c) * v + d)
+    }
+
+    /// The tiles of a window, row by row from the north; `x` and `y` are of its south-west tile.
+    pub fn window(&self, x: i64, y: i64, shape: Shape) -> Vec<TileId> {
+        let rows = (0..shape.height() as i64).rev();
+        rows.flat_map(|row| {
+            (0..shape.width() as i64).map(move |column| self.tile(x + column, y + row))
+        })
+        .collect()
+    }
+
+    /// The colors around a tile, when each is known from its point and the number of colors.
+    fn around(&self, x: i64, y: i64, color: impl Fn(i64, i64, usize) -> u8) -> [u8; 4] {
+        let (h, v) = (self.colors.horizontal(), self.colors.vertical());
+        let (east, north) = (x.wrapping_add(1), y.wrapping_add(1));
+        match self.kind {
+            Kind::Corner => {
+                [color(east, north, h), color(east, y, h), color(x, y, h), color(x, north, h)]
+            }
+            _ => {
+                let [x2, y2, east2, north2] = [x, y, east, north].map(|at| at.wrapping_mul(2));
+                [
+                    color(x2.wrapping_add(1), north2, h),
+                    color(east2, y2.wrapping_add(1), v),
+                    color(x2.wrapping_add(1), y2, h),
+                    color(x2, y2.wrapping_add(1), v),
+                ]
+            }
+        }
+    }
+}
