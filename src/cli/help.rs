@@ -276,7 +276,7 @@ is a certificate by verify.
 
 Examples:
   tilepack aperiodic decide set.json
-  tilepack aperiodic decide set.json --limit 30 --certificate proof.json; tilepack verify proof.json
+  tilepack aperiodic decide set.json --limit 60 --certificate proof.json; tilepack verify proof.json
 
 Exit codes: 0 when the set fills the plane, 1 when it does not, 75 when it is undecided.
 

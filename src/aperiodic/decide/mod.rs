@@ -40,8 +40,8 @@ pub struct Bounds {
 impl Default for Bounds {
     /// Powers of at most 4 million arcs: about 300 MiB.
     fn default() -> Self {
-        let strips = torus::Bounds { columns: 1 << 21, steps: 1 << 26 };
-        Self { limit: 20, arcs: 1 << 22, nodes: 1 << 21, strips }
+        let strips = torus::Bounds { columns: 1 << 18, steps: 1 << 26 };
+        Self { limit: 40, arcs: 1 << 22, nodes: 1 << 21, strips }
     }
 }
 

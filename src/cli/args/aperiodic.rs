@@ -26,7 +26,7 @@ pub struct DecideArgs {
     #[arg(value_name = "FILE")]
     pub file: PathBuf,
     /// The highest power (strips of so many rows and columns), and the largest square
-    #[arg(long, value_name = "K", default_value_t = 20, value_parser = clap::value_parser!(u16).range(1..=1000))]
+    #[arg(long, value_name = "K", default_value_t = 40, value_parser = clap::value_parser!(u16).range(1..=1000))]
     pub limit: u16,
     /// Stop after this time: 500ms, 90s, 10m, 2h, 1d; a number alone is in seconds
     #[arg(long, value_name = "TIME", value_parser = duration::parse)]
@@ -58,7 +58,7 @@ pub struct ClassifyArgs {
     #[arg(long, value_enum, default_value = "graphs", value_name = "WHAT")]
     pub up_to: UpToArg,
     /// The highest power of a set
-    #[arg(long, value_name = "K", default_value_t = 20, value_parser = clap::value_parser!(u16).range(1..=1000))]
+    #[arg(long, value_name = "K", default_value_t = 40, value_parser = clap::value_parser!(u16).range(1..=1000))]
     pub limit: u16,
     /// Only part R of M, counted from 0: parts can be added with --merge
     #[arg(long, value_name = "R/M")]
