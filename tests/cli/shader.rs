@@ -41,10 +41,10 @@ fn what_cannot_be_drawn_is_refused() {
         ),
         ("compact.json --to wgsl --coloring map:p.txt", "colors 2"),
         ("seeded.json --to hlsl --lookup formula", "not the constructed one"),
-        ("ring.json --to hlsl", "dominoes have no endless tiling"),
+        ("ring.json --to hlsl", "a ring of dominoes has no square tiles"),
         ("p.txt --to hlsl --name 3d", "name '3d': expected a letter"),
         ("p.txt --to hlsl --coloring halton:40000x40000", "2^30 points"),
-        ("p.txt --to hlsl --json", "expected -o FILE"),
+        ("p.txt --to hlsl --json", "needs -o FILE"),
         ("p.txt --to hlsl -o no/where", "no/where"),
         ("p.txt --to metal", "glsl-330"),
     ] {
