@@ -5,10 +5,12 @@
 //! * [`mod@convert`] makes corner sets of Wang sets, and back; [`sound`] says what that proves.
 //! * [`mod@decide`] says whether a set fills the plane, and how.
 //! * [`classify`] does so for all sets of a size.
+//! * [`patch`] fills rectangles.
 
 pub mod classify;
 pub mod convert;
 pub mod decide;
+pub mod patch;
 mod set;
 pub mod sound;
 
