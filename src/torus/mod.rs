@@ -14,6 +14,7 @@ pub mod order;
 pub mod packing;
 pub mod pins;
 pub mod shape;
+pub mod toral;
 
 pub use board::{Board, Border, BorderError, Edges, Topology};
 pub use cubes::{CubeKind, CubeSet, Cubes, MAX_CUBES, places};

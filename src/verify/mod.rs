@@ -21,11 +21,13 @@ mod neighbors;
 mod occurrences;
 mod recursion;
 mod rows;
+mod toral;
 
 pub use cubes::{CubePlace, CubesFault, check_cube_packing};
 pub use fault::{Fault, Place, Tile, Touch};
 pub use recursion::{Block, NotRecursive, Recursion, check_recursion};
 pub use rows::{RowCheck, RowFault};
+pub use toral::{CertificateFault, ProvedSet, Step, WayBack, check_certificate};
 
 use crate::tiles::Kind;
 use crate::torus::Packing;
