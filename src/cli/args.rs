@@ -13,7 +13,7 @@ mod formats;
 mod parts;
 mod walk;
 
-pub use aperiodic::AperiodicCommand;
+pub use aperiodic::{AperiodicCommand, ColorArgs, ConditionArg};
 pub use atlas::{ArrangeArg, AtlasArgs, ChannelsArg, GutterArg, LintArgs, TilePictureArgs};
 pub use board::BoardArgs;
 pub use cube::{CubeArgs, CubeKindArg};

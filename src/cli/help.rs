@@ -178,7 +178,10 @@ A packing is right when every tile belongs to the set, neighbors agree on the co
 also across both seams, and every tile occurs exactly once. (In a covering, --cover, at least \
 once. Of a compact set, exactly two tiles for each choice of the fixed colors.)
 
-Files of cubes are recognized by their kind, and checked in space.
+Files of cubes are recognized by their kind, and checked in space. Certificates of aperiodic sets \
+(aperiodic color) are recognized by their vertex_rule, and checked step by step with exact numbers: \
+what is proved and what is taken on trust is told, or the first step that fails (exit code 1). In JSON \
+they have also tiles, pieces, windows, condition, ambiguous, proved and assumed.
 
 A bare grid says neither its kind nor its colors: give --kind and --colors. Where a file and the \
 options both speak, they must agree. Rows and columns in messages count from 0.
@@ -247,7 +250,33 @@ JSON fields (--json): result (written), format, variables, clauses, file; with -
 (found, none or stopped), method, width, height, reason, file, and without -o the solution.";
 
 /// Examples for `aperiodic`.
-pub const APERIODIC: &str = "";
+pub const APERIODIC: &str = "\
+Examples:
+  tilepack aperiodic color jeandel-rao --rounds 4 -o certificate.json; tilepack verify certificate.json";
+
+/// Examples for `aperiodic color`.
+pub const APERIODIC_COLOR: &str = "\
+Every vertex of a Wang tiling gets a color by the window of tiles around it; the corner tiles that \
+come up fill the plane. The condition sees to it that each of their tilings gives one by the Wang \
+tiles, so none is periodic if none of those is. Colors are annealed to few corner tiles, in rounds \
+with random numbers of their own: the same rounds give the same answer, whatever the number of \
+threads. With --time-limit it depends on the machine how many rounds are finished.
+
+For jeandel-rao all windows are known exactly, and the certificate that is written is checked \
+before by the code of verify. For a tile set file the windows are those of a legal patch (--patch), \
+and it is not proved that the corner tiles fill the plane.
+
+Examples:
+  tilepack aperiodic color jeandel-rao --rounds 4 -o certificate.json; tilepack verify certificate.json
+  tilepack aperiodic color jeandel-rao --condition pair --target 30 --set-out corners.json
+  tilepack aperiodic color jeandel-rao --window 4x3 --rounds 2 --moves 200000 --json
+
+Exit codes: 0 found, 1 no coloring met the condition, or there is no patch, 75 stopped before.
+
+JSON fields (--json): result (found, none or stopped), base, status (exact, or from a patch), window, \
+condition (the strongest that was verified), tiles, colors, corner_tiles ([NW, NE, SE, SW]), seed, \
+round (that found them), rounds (finished), moves, examined (strings of digits), ends (pairs: corner \
+tiles, null for none; rounds that ended with so many), stopped_by, seconds, file, set_file.";
 
 /// Examples for `atlas`.
 pub const ATLAS: &str = "\

@@ -160,10 +160,8 @@ pub fn write_certificate(mut out: impl Write, certificate: &ToralCertificate) ->
     writeln!(out, "\"corner_convention\":\"{CORNER}\",")?;
     writeln!(out, "\"image\":{},", json!(certificate.image))?;
     writeln!(out, "\"window_shape\":{},", json!(certificate.window_shape))?;
-    let windows = certificate
-        .windows
-        .iter()
-        .map(|window| (&window.labels, &window.polygon, &window.pieces));
+    let windows =
+        certificate.windows.iter().map(|window| (&window.labels, &window.polygon, &window.pieces));
     list(&mut out, "windows", windows, ",")?;
     let comment = "[labels row by row from the top row, polygon U, pieces]; pieces[i]=[k,m,n]: \
                    U+(dx,dy) lies in partition polygon k + m*lattice[0] + n*lattice[1], \

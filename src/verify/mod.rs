@@ -27,7 +27,9 @@ pub use cubes::{CubePlace, CubesFault, check_cube_packing};
 pub use fault::{Fault, Place, Tile, Touch};
 pub use recursion::{Block, NotRecursive, Recursion, check_recursion};
 pub use rows::{RowCheck, RowFault};
-pub use toral::{CertificateFault, ProvedSet, Step, WayBack, check_certificate};
+pub use toral::{
+    CertificateFault, ProvedSet, Step, WayBack, check_certificate, check_corner_tiles,
+};
 
 use crate::tiles::Kind;
 use crate::torus::Packing;

@@ -276,10 +276,13 @@ fn examine(
         Condition::Pair => state.conflicts == 0,
         // The first states are not worth a look.
         Condition::Radius(_) if tiles > WORTH_A_LOOK => false,
-        Condition::Radius(_) => state.conflicts == 0 || seen.insert(state.colors.clone()) && {
-            round.examined += 1;
-            Colored::new(vertices, &state.colors).meets(condition, &vertices.wang)
-        },
+        Condition::Radius(_) => {
+            state.conflicts == 0
+                || seen.insert(state.colors.clone()) && {
+                    round.examined += 1;
+                    Colored::new(vertices, &state.colors).meets(condition, &vertices.wang)
+                }
+        }
     };
     if met {
         round.found = Some(Found { tiles, colors: state.colors.clone() });

@@ -34,7 +34,7 @@ impl Condition {
     }
 }
 
-/// The most corner tiles that are looked at: bits of a word.
+/// The most corner tiles, and Wang tiles, that are looked at: bits of a word.
 const MOST_TILES: usize = 128;
 /// Surroundings looked at, at most; more than any set of a few dozen tiles needs.
 const PATIENCE: u64 = 3_000_000;
@@ -80,7 +80,7 @@ impl Colored {
             Condition::Radius(radius) => radius,
         };
         self.tiles.len() <= MOST_TILES
-            && wang.len() <= 64
+            && wang.len() <= MOST_TILES
             && Decoding::new(self, wang, radius).is_some_and(|mut decoding| decoding.holds())
     }
 
@@ -107,9 +107,9 @@ struct Decoding {
     /// For each direction and corner tile, the corner tiles that fit there.
     fitting: [Vec<u128>; 4],
     /// For each corner tile its options.
-    options: Vec<u64>,
+    options: Vec<u128>,
     /// For each direction and Wang tile the Wang tiles that fit there.
-    wang: [Vec<u64>; 4],
+    wang: [Vec<u128>; 4],
     radius: usize,
     all: u128,
     left: u64,
@@ -179,14 +179,14 @@ impl Decoding {
         let meet_wang = |side: usize| {
             let of = |tile: &[u32; 4]| {
                 let there = |(i, other): (usize, &[u32; 4])| {
-                    u64::from(tile[side] == other[(side + 2) % 4]) << i
+                    u128::from(tile[side] == other[(side + 2) % 4]) << i
                 };
                 wang.iter().enumerate().map(there).sum()
             };
             wang.iter().map(of).collect()
         };
         let bits = |options: &Vec<usize>| options.iter().map(|&option| 1 << option).sum();
-        let options: Vec<u64> = colored.options.iter().map(bits).collect();
+        let options: Vec<u128> = colored.options.iter().map(bits).collect();
         let any = options.iter().all(|&options| options != 0);
         any.then(|| Self {
             fitting: [0, 1, 2, 3].map(meet),
@@ -287,7 +287,7 @@ impl Decoding {
     }
 
     /// The options of a cell that are left after so many steps.
-    fn settled(&self, frame: &Frame, cells: &[usize], cell: usize, radius: usize) -> u64 {
+    fn settled(&self, frame: &Frame, cells: &[usize], cell: usize, radius: usize) -> u128 {
         let mut options = self.options[cells[cell]];
         if radius == 0 || options.count_ones() == 1 {
             return options;
@@ -318,7 +318,7 @@ impl Decoding {
 }
 
 /// The numbers of the bits of a word.
-fn bits(mut word: u64) -> impl Iterator<Item = usize> {
+fn bits(mut word: u128) -> impl Iterator<Item = usize> {
     std::iter::from_fn(move || {
         let bit = (word != 0).then(|| word.trailing_zeros() as usize)?;
         word &= word - 1;

@@ -50,9 +50,7 @@ pub fn windows(partition: &Partition, shape: [usize; 2]) -> Result<Vec<Window>, 
         }
         windows = finer;
     }
-    windows.sort_by(|one, other| {
-        (&one.labels, &one.pieces).cmp(&(&other.labels, &other.pieces))
-    });
+    windows.sort_by(|one, other| (&one.labels, &one.pieces).cmp(&(&other.labels, &other.pieces)));
     Ok(windows)
 }
 
@@ -108,7 +106,10 @@ pub fn patterns(windows: &[Window]) -> BTreeSet<Vec<usize>> {
 }
 
 /// The patterns that occur in a patch, given row by row from the north.
-pub fn patterns_of_patch(patch: &[Vec<usize>], [rows, columns]: [usize; 2]) -> BTreeSet<Vec<usize>> {
+pub fn patterns_of_patch(
+    patch: &[Vec<usize>],
+    [rows, columns]: [usize; 2],
+) -> BTreeSet<Vec<usize>> {
     let mut found = BTreeSet::new();
     for band in patch.windows(rows) {
         let width = band.iter().map(Vec::len).min().unwrap_or(0);

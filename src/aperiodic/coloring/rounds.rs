@@ -144,9 +144,8 @@ fn outcome(finished: &[(u64, Round)], last: u64) -> Outcome {
         let tiles = round.found.as_ref().map(|found| found.tiles);
         *outcome.ends.entry(tiles).or_insert(0) += 1;
         let Some(found) = &round.found else { continue };
-        let better = outcome.best.as_ref().is_none_or(|(of, best)| {
-            (found.tiles, number) < (best.tiles, of)
-        });
+        let better =
+            outcome.best.as_ref().is_none_or(|(of, best)| (found.tiles, number) < (best.tiles, of));
         if better {
             outcome.best = Some((*number, found.clone()));
         }
@@ -164,7 +163,9 @@ mod tests {
     fn threads_change_nothing() {
         let windows = windows(&Partition::jeandel_rao(), [5, 3]).unwrap();
         let vertices = Vertices::new(JEANDEL_RAO.to_vec(), [4, 2], &patterns(&windows)).unwrap();
-        for (condition, target) in [(Condition::Pair, 0), (Condition::Pair, 31), (Condition::Radius(1), 0)] {
+        for (condition, target) in
+            [(Condition::Pair, 0), (Condition::Pair, 31), (Condition::Radius(1), 0)]
+        {
             let search = |threads| Search {
                 condition,
                 colors: 6,

@@ -36,7 +36,12 @@ pub fn north_west([rows, columns]: [usize; 2]) -> [usize; 2] {
 }
 
 /// The tiles around the vertex a step to the south and to the east within a window.
-pub fn around(window: &[usize], [rows, columns]: [usize; 2], down: usize, right: usize) -> Vec<usize> {
+pub fn around(
+    window: &[usize],
+    [rows, columns]: [usize; 2],
+    down: usize,
+    right: usize,
+) -> Vec<usize> {
     let width = columns + 1;
     let row = |row: usize| &window[row * width + right..row * width + right + columns];
     (down..down + rows).flat_map(row).copied().collect()
@@ -65,7 +70,8 @@ impl Vertices {
         }
         let [above, left] = north_west(shape);
         let middle = above * (columns + 1) + left;
-        let seen = |window: &Vec<usize>| CORNERS.map(|(down, right)| around(window, shape, down, right));
+        let seen =
+            |window: &Vec<usize>| CORNERS.map(|(down, right)| around(window, shape, down, right));
         let patterns: BTreeSet<Vec<usize>> = windows.iter().flat_map(seen).collect();
         let patterns: Vec<Vec<usize>> = patterns.into_iter().collect();
         let number: BTreeMap<&Vec<usize>, usize> =

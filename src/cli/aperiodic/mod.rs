@@ -1,4 +1,8 @@
-//! `aperiodic`: sets of tiles that fill the plane, but never periodically. One file a command.
+//! `aperiodic`: sets of tiles that fill the plane, but never periodically. One file a command;
+//! [`certificate`] is what `verify` says about proofs.
+
+pub mod certificate;
+pub mod color;
 
 use super::args::AperiodicCommand;
 use super::exit::Exit;
@@ -8,5 +12,7 @@ use super::exit::Exit;
 /// # Errors
 /// Bad input, or files that cannot be written.
 pub fn run(command: &AperiodicCommand) -> anyhow::Result<Exit> {
-    match *command {}
+    match command {
+        AperiodicCommand::Color(args) => color::run(args),
+    }
 }

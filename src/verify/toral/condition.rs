@@ -15,7 +15,6 @@
 //! All of them are tried, so what holds for them holds in every tiling.
 
 use super::WayBack;
-use crate::torus::toral::ToralCertificate;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// Labels by the two colors of a side, separately for sides that run west to east (N and S) and
@@ -28,48 +27,38 @@ fn side([nw, ne, se, sw]: [u32; 4], side: usize) -> (bool, u32, u32) {
     [(true, nw, ne), (false, ne, se), (true, sw, se), (false, nw, sw)][side]
 }
 
-/// Which way back there is, and how many corner tiles have more than one option.
+/// For each corner tile the numbers of the Wang tiles that it may stand for.
+pub(super) type Options = Vec<Vec<usize>>;
+
+/// The options of corner tiles that occur with these Wang tiles, and which way back there is.
 pub(super) fn check(
-    certificate: &ToralCertificate,
+    wang: &[[u32; 4]],
+    tiles: &[[u32; 4]],
     occurring: &[BTreeSet<usize>],
-) -> Result<(WayBack, usize), String> {
-    let tiles = &certificate.tiles;
+) -> (Options, Result<WayBack, String>) {
     let mut labels = Labels::new();
-    for (&tile, wang) in tiles.iter().zip(occurring) {
-        for (&wang, s) in wang.iter().flat_map(|wang| (0..4).map(move |s| (wang, s))) {
-            labels.entry(side(tile, s)).or_default().insert(certificate.wang[wang][s]);
+    for (&tile, numbers) in tiles.iter().zip(occurring) {
+        for (&number, s) in numbers.iter().flat_map(|number| (0..4).map(move |s| (number, s))) {
+            labels.entry(side(tile, s)).or_default().insert(wang[number][s]);
         }
     }
-    let fits = |tile: [u32; 4], wang: [u32; 4]| {
-        (0..4).all(|s| labels.get(&side(tile, s)).is_some_and(|all| all.contains(&wang[s])))
+    let has = |tile: [u32; 4], s: usize, label: u32| {
+        labels.get(&side(tile, s)).is_some_and(|all| all.contains(&label))
     };
-    let mut options: Vec<Vec<usize>> = Vec::with_capacity(tiles.len());
+    let mut options: Options = Vec::with_capacity(tiles.len());
     for &tile in tiles {
-        let all = 0..certificate.wang.len();
-        options.push(all.filter(|&wang| fits(tile, certificate.wang[wang])).collect());
+        let fits = |&number: &usize| (0..4).all(|s| has(tile, s, wang[number][s]));
+        options.push((0..wang.len()).filter(fits).collect());
     }
-    if certificate.options != options {
-        let differ = options.iter().zip(&certificate.options).position(|(a, b)| a != b);
-        return Err(match differ {
-            Some(i) => {
-                let (listed, found) = (&certificate.options[i], &options[i]);
-                format!("tile {i} has the options {found:?}, but {listed:?} are listed")
-            }
-            None => format!("{} options, expected {}", certificate.options.len(), options.len()),
-        });
+    if labels.values().all(|labels| labels.len() == 1) {
+        return (options, Ok(WayBack::Pair));
     }
-    let ambiguous = options.iter().filter(|options| options.len() > 1).count();
-    if tiles.iter().all(|&tile| (0..4).all(|s| labels[&side(tile, s)].len() == 1)) {
-        return Ok((WayBack::Pair, ambiguous));
-    }
-    let decode = |radius| Decoding { wang: &certificate.wang, tiles, options: &options, radius };
-    match decode(1).check(&labels) {
-        Ok(()) => Ok((WayBack::Radius1, ambiguous)),
-        Err(reason) => match decode(2).check(&labels) {
-            Ok(()) => Ok((WayBack::Radius2, ambiguous)),
-            Err(_) => Err(reason),
-        },
-    }
+    let decode = |radius| Decoding { wang, tiles, options: &options, radius }.check(&labels);
+    let way_back = match decode(1) {
+        Ok(()) => Ok(WayBack::Radius1),
+        Err(reason) => decode(2).map(|()| WayBack::Radius2).map_err(|_| reason),
+    };
+    (options, way_back)
 }
 
 /// The map from surroundings to Wang tiles.
@@ -97,8 +86,8 @@ impl Patch {
         let (down, right) = STEPS[direction];
         let (row, column) = (row + down, column + right);
         let height = self.cells.len() / self.width;
-        let inside = (0..height as isize).contains(&row)
-            && (0..self.width as isize).contains(&column);
+        let inside =
+            (0..height as isize).contains(&row) && (0..self.width as isize).contains(&column);
         inside.then(|| row as usize * self.width + column as usize)
     }
 }
@@ -221,9 +210,8 @@ impl Decoding<'_> {
         for d in 0..4 {
             if let Some(next) = patch.next(cell, d) {
                 let theirs = self.left(patch, next, radius - 1);
-                let meets = |wang: usize, other: usize| {
-                    self.wang[wang][d] == self.wang[other][(d + 2) % 4]
-                };
+                let meets =
+                    |wang: usize, other: usize| self.wang[wang][d] == self.wang[other][(d + 2) % 4];
                 left.retain(|&wang| theirs.iter().any(|&other| meets(wang, other)));
             }
         }
@@ -232,9 +220,9 @@ impl Decoding<'_> {
 
     /// What is wrong with the middle of a patch.
     fn fault(&self, patch: &Patch, middles: &[usize]) -> Option<String> {
-        let name = |cell: usize| patch.cells[cell].map_or(String::new(), |tile| {
-            format!("{:?}", self.tiles[tile])
-        });
+        let name = |cell: usize| {
+            patch.cells[cell].map_or(String::new(), |tile| format!("{:?}", self.tiles[tile]))
+        };
         let mut wang = Vec::new();
         for &cell in middles {
             match self.left(patch, cell, self.radius)[..] {
@@ -254,7 +242,10 @@ impl Decoding<'_> {
             format!(
                 "corner tiles {} and {} are neighbors, but stand for Wang tiles {} and {}, \
                  which do not fit",
-                name(one), name(two), wang[0], wang[1]
+                name(one),
+                name(two),
+                wang[0],
+                wang[1]
             )
         })
     }

@@ -145,8 +145,8 @@ pub fn check_certificate(certificate: &ToralCertificate) -> Result<ProvedSet, Ce
     check_fit(certificate)?;
     let rule = check_rule(certificate)?;
     let occurring = check_tiles(certificate, &rule)?;
-    let (way_back, ambiguous) = condition::check(certificate, &occurring)
-        .map_err(|reason| Step::WayBack.fault(reason))?;
+    let way_back = check_way_back(certificate, &occurring)?;
+    let ambiguous = certificate.options.iter().filter(|options| options.len() > 1).count();
     let colors: BTreeSet<u32> = certificate.tiles.iter().flatten().copied().collect();
     Ok(ProvedSet {
         tiles: certificate.tiles.len(),
@@ -219,7 +219,11 @@ fn check_partition(certificate: &ToralCertificate) -> Result<Vec<Shape>, Certifi
     }
     let expected = times((2, 0), times(w, h));
     if area != expected {
-        return fault(format!("twice the areas add up to {}, expected {}", say(area), say(expected)));
+        return fault(format!(
+            "twice the areas add up to {}, expected {}",
+            say(area),
+            say(expected)
+        ));
     }
     Ok(pieces)
 }
@@ -272,10 +276,8 @@ fn check_windows(certificate: &ToralCertificate, pieces: &[Shape]) -> Result<(),
             let (m, n) = (-i128::from(m), -i128::from(n));
             let back = |x, y| plus(times((m, 0), x), times((n, 0), y));
             let (dx, dy) = (column as i128, (rows - 1 - row) as i128);
-            let by = (
-                plus((dx, 0), back(first.0, second.0)),
-                plus((dy, 0), back(first.1, second.1)),
-            );
+            let by =
+                (plus((dx, 0), back(first.0, second.0)), plus((dy, 0), back(first.1, second.1)));
             if let Some(vertex) = shape.moved(by).first_outside(&pieces[piece]) {
                 return fault(format!("{here}: vertex {vertex} is not in piece {k} as moved"));
             }
@@ -288,7 +290,11 @@ fn check_windows(certificate: &ToralCertificate, pieces: &[Shape]) -> Result<(),
     let (width, height) = spot(certificate.domain);
     let expected = times((2, 0), times(width, height));
     if area != expected {
-        return fault(format!("twice the areas add up to {}, expected {}", say(area), say(expected)));
+        return fault(format!(
+            "twice the areas add up to {}, expected {}",
+            say(area),
+            say(expected)
+        ));
     }
     Ok(())
 }
@@ -300,9 +306,8 @@ fn check_fit(certificate: &ToralCertificate) -> Result<(), CertificateFault> {
         return Err(Step::Fit.fault("windows of one row or column do not show all neighbors"));
     }
     for (i, window) in certificate.windows.iter().enumerate() {
-        let tile = |row: usize, column: usize| {
-            certificate.wang[window.labels[row * columns + column]]
-        };
+        let tile =
+            |row: usize, column: usize| certificate.wang[window.labels[row * columns + column]];
         for (row, column) in (0..rows).flat_map(|row| (0..columns).map(move |c| (row, c))) {
             let here = tile(row, column);
             let east = column + 1 == columns || here[1] == tile(row, column + 1)[3];
@@ -320,9 +325,7 @@ fn check_fit(certificate: &ToralCertificate) -> Result<(), CertificateFault> {
 }
 
 /// The colors by pattern; every vertex of a window has one, and none is there for nothing.
-fn check_rule(
-    certificate: &ToralCertificate,
-) -> Result<BTreeMap<&[usize], u32>, CertificateFault> {
+fn check_rule(certificate: &ToralCertificate) -> Result<BTreeMap<&[usize], u32>, CertificateFault> {
     let fault = |reason: String| Err(Step::Rule.fault(reason));
     let rule = &certificate.rule;
     let [rows, columns] = certificate.window_shape;
@@ -413,4 +416,42 @@ fn check_tiles(
         }
     }
     Ok(occurring)
+}
+
+/// The options are those listed, and there is a way back.
+fn check_way_back(
+    certificate: &ToralCertificate,
+    occurring: &[BTreeSet<usize>],
+) -> Result<WayBack, CertificateFault> {
+    let (options, way_back) = condition::check(&certificate.wang, &certificate.tiles, occurring);
+    let listed = &certificate.options;
+    if listed.len() != options.len() {
+        let (given, expected) = (listed.len(), options.len());
+        return Err(Step::WayBack.fault(format!("{given} lists of options, expected {expected}")));
+    }
+    if let Some(i) = (0..options.len()).find(|&i| options[i] != listed[i]) {
+        let (found, given) = (&options[i], &listed[i]);
+        let reason = format!("tile {i} has the options {found:?}, but {given:?} are listed");
+        return Err(Step::WayBack.fault(reason));
+    }
+    way_back.map_err(|reason| Step::WayBack.fault(reason))
+}
+
+/// The way back alone: corner tiles [NW, NE, SE, SW] that are known to occur with some Wang tiles
+/// [N, E, S, W], given by their numbers.
+///
+/// # Errors
+/// Why there is none, or a number that is no Wang tile.
+pub fn check_corner_tiles(
+    wang: &[[u32; 4]],
+    tiles: &[[u32; 4]],
+    image: &[Vec<usize>],
+) -> Result<WayBack, CertificateFault> {
+    let occurring: Vec<BTreeSet<usize>> =
+        image.iter().map(|numbers| numbers.iter().copied().collect()).collect();
+    let unknown = occurring.iter().flatten().any(|&number| number >= wang.len());
+    if unknown || occurring.len() != tiles.len() || occurring.iter().any(BTreeSet::is_empty) {
+        return Err(Step::Tiles.fault("a corner tile does not name Wang tiles it occurs with"));
+    }
+    condition::check(wang, tiles, &occurring).1.map_err(|reason| Step::WayBack.fault(reason))
 }
