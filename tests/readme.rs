@@ -19,6 +19,7 @@ const PAGES: &[(&str, &str, usize)] = &[
     ("docs/exports.md", include_str!("../docs/exports.md"), 6),
     ("docs/search.md", include_str!("../docs/search.md"), 2),
     ("docs/packings.md", include_str!("../docs/packings.md"), 4),
+    ("docs/coloring.md", include_str!("../docs/coloring.md"), 4),
     ("docs/first-packings.md", include_str!("../docs/first-packings.md"), 8),
 ];
 

@@ -15,7 +15,11 @@
 //! All of them are tried, so what holds for them holds in every tiling.
 
 use super::WayBack;
+use std::cell::Cell;
 use std::collections::{BTreeMap, BTreeSet};
+
+/// Cells filled at most, so that no file keeps us busy for hours.
+const PATIENCE: u64 = 100_000_000;
 
 /// Labels by the two colors of a side, separately for sides that run west to east (N and S) and
 /// north to south.
@@ -53,7 +57,10 @@ pub(super) fn check(
     if labels.values().all(|labels| labels.len() == 1) {
         return (options, Ok(WayBack::Pair));
     }
-    let decode = |radius| Decoding { wang, tiles, options: &options, radius }.check(&labels);
+    let decode = |radius| {
+        let left = Cell::new(PATIENCE);
+        Decoding { wang, tiles, options: &options, radius, left }.check(&labels)
+    };
     let way_back = match decode(1) {
         Ok(()) => Ok(WayBack::Radius1),
         Err(reason) => decode(2).map(|()| WayBack::Radius2).map_err(|_| reason),
@@ -68,6 +75,8 @@ struct Decoding<'a> {
     options: &'a [Vec<usize>],
     /// Steps from a cell to those it is read from.
     radius: usize,
+    /// Steps that may still be taken.
+    left: Cell<u64>,
 }
 
 /// Steps to the north, east, south and west, as rows and columns.
@@ -162,6 +171,9 @@ impl Decoding<'_> {
         let cell = order[filled];
         for tile in 0..self.tiles.len() {
             if self.is_legal(patch, cell, tile) {
+                if self.is_out_of_patience() {
+                    return Some(format!("more than {PATIENCE} cells of surroundings to fill"));
+                }
                 patch.cells[cell] = Some(tile);
                 let found = self.extend(patch, middles, order, read);
                 patch.cells[cell] = None;
@@ -178,6 +190,10 @@ impl Decoding<'_> {
         let Some(&cell) = order.get(filled) else { return true };
         for tile in 0..self.tiles.len() {
             if self.is_legal(patch, cell, tile) {
+                // What is not known to end is taken to go on: that refuses more.
+                if self.is_out_of_patience() {
+                    return true;
+                }
                 patch.cells[cell] = Some(tile);
                 let can = self.continues(patch, order, filled + 1);
                 patch.cells[cell] = None;
@@ -187,6 +203,12 @@ impl Decoding<'_> {
             }
         }
         false
+    }
+
+    /// Counts a cell that is filled.
+    fn is_out_of_patience(&self) -> bool {
+        self.left.set(self.left.get().saturating_sub(1));
+        self.left.get() == 0
     }
 
     /// Whether a tile agrees with the neighbors that are there.

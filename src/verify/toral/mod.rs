@@ -36,7 +36,7 @@ const MOST_WINDOWS: usize = 50_000;
 const MOST_CELLS: usize = 400;
 const MOST_TILES: usize = 1000;
 /// The longest move by the lattice, either way.
-const MOST_SHIFT: i64 = 1000;
+const MOST_SHIFT: u64 = 1000;
 
 /// What the tilings by the corner tiles have to do with those by the Wang tiles.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -262,7 +262,7 @@ fn check_windows(certificate: &ToralCertificate, pieces: &[Shape]) -> Result<(),
             let here = format!("window {i}, row {row}, column {column}");
             let piece = usize::try_from(k).ok().filter(|&k| k < pieces.len());
             let Some(piece) = piece else { return fault(format!("{here}: there is no piece {k}")) };
-            if m.abs() > MOST_SHIFT || n.abs() > MOST_SHIFT {
+            if [m, n].iter().any(|shift| shift.unsigned_abs() > MOST_SHIFT) {
                 return fault(format!("{here}: piece {k} is moved too far"));
             }
             if (row + 1, column) == (rows, 0) && (m, n) != (0, 0) {
