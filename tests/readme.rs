@@ -6,6 +6,7 @@
 
 #![allow(clippy::unwrap_used)]
 
+use std::path::Path;
 use std::process::Command;
 
 const README: &str = include_str!("../README.md");
@@ -79,17 +80,25 @@ fn commands_do_what_the_pages_show() {
     }
 }
 
+/// Copies a folder and the folders in it.
+fn copy_folder(from: &Path, to: &Path) {
+    std::fs::create_dir(to).unwrap();
+    for file in std::fs::read_dir(from).unwrap().map(Result::unwrap) {
+        let (from, to) = (file.path(), to.join(file.file_name()));
+        match from.is_dir() {
+            true => copy_folder(&from, &to),
+            false => drop(std::fs::copy(from, to).unwrap()),
+        }
+    }
+}
+
 /// Runs the commands of a page; how many.
 fn run_page(page: &'static str) -> usize {
-    let binary = std::path::Path::new(env!("CARGO_BIN_EXE_tilepack"));
+    let binary = Path::new(env!("CARGO_BIN_EXE_tilepack"));
     let folder = tempfile::tempdir().unwrap();
     // Pages name the files of this folder as one finds them.
-    let data = folder.path().join("data");
-    std::fs::create_dir(&data).unwrap();
-    for file in std::fs::read_dir(concat!(env!("CARGO_MANIFEST_DIR"), "/data")).unwrap() {
-        let file = file.unwrap();
-        std::fs::copy(file.path(), data.join(file.file_name())).unwrap();
-    }
+    let data = concat!(env!("CARGO_MANIFEST_DIR"), "/data");
+    copy_folder(data.as_ref(), &folder.path().join("data"));
     let path = std::env::join_paths(
         std::iter::once(binary.parent().unwrap().to_owned())
             .chain(std::env::split_paths(&std::env::var_os("PATH").unwrap())),

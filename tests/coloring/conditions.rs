@@ -43,7 +43,7 @@ fn agree(vertices: &Vertices, colors: &[u8]) -> Result<(), TestCaseError> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(60))]
+    #![proptest_config(ProptestConfig::with_cases(40))]
 
     #[test]
     fn the_search_and_the_verifier_agree(
