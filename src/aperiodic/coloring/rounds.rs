@@ -74,7 +74,7 @@ impl Search {
 struct Shared {
     next: AtomicU64,
     last: AtomicU64,
-    finished: Mutex<Vec<(u64, Round)>>,
+    finished: Mutex<(Outcome, Vec<(u64, Round)>)>,
 }
 
 /// Asks a round to stop when one with a lower number has reached the target.
@@ -120,8 +120,10 @@ pub fn run(
                 shared.last.fetch_min(number, SeqCst);
             }
             let mut finished = shared.finished.lock().unwrap_or_else(PoisonError::into_inner);
-            finished.push((number, done));
-            watch(&outcome(&finished, u64::MAX));
+            let (so_far, rounds) = &mut *finished;
+            so_far.add(number, &done);
+            watch(so_far);
+            rounds.push((number, kept(done, so_far, search.target)));
         }
     };
     thread::scope(|scope| {
@@ -130,27 +132,39 @@ pub fn run(
         }
         work();
     });
-    let finished = shared.finished.into_inner().unwrap_or_else(PoisonError::into_inner);
-    outcome(&finished, shared.last.load(SeqCst))
-}
-
-/// What the rounds up to a number came to.
-fn outcome(finished: &[(u64, Round)], last: u64) -> Outcome {
+    let (_, finished) = shared.finished.into_inner().unwrap_or_else(PoisonError::into_inner);
+    let last = shared.last.load(SeqCst);
     let mut outcome = Outcome::default();
     for (number, round) in finished.iter().filter(|(number, _)| *number <= last) {
-        outcome.rounds += 1;
-        outcome.moves += round.moves;
-        outcome.examined += round.examined;
-        let tiles = round.found.as_ref().map(|found| found.tiles);
-        *outcome.ends.entry(tiles).or_insert(0) += 1;
-        let Some(found) = &round.found else { continue };
-        let better =
-            outcome.best.as_ref().is_none_or(|(of, best)| (found.tiles, number) < (best.tiles, of));
-        if better {
-            outcome.best = Some((*number, found.clone()));
-        }
+        outcome.add(*number, round);
     }
     outcome
+}
+
+/// A round without its coloring, if another one is better and it does not reach the target: then
+/// it will not be the best, whichever rounds are left out in the end.
+fn kept(mut round: Round, so_far: &Outcome, target: usize) -> Round {
+    let best = so_far.best.as_ref().map_or(usize::MAX, |(_, best)| best.tiles);
+    if let Some(found) = round.found.as_mut().filter(|found| found.tiles > best.max(target)) {
+        found.colors = Vec::new();
+    }
+    round
+}
+
+impl Outcome {
+    /// Takes in another round.
+    fn add(&mut self, number: u64, round: &Round) {
+        self.rounds += 1;
+        self.moves += round.moves;
+        self.examined += round.examined;
+        let tiles = round.found.as_ref().map(|found| found.tiles);
+        *self.ends.entry(tiles).or_insert(0) += 1;
+        let Some(found) = &round.found else { return };
+        let better = |(of, best): &(u64, Found)| (found.tiles, number) < (best.tiles, *of);
+        if self.best.as_ref().is_none_or(better) {
+            self.best = Some((number, found.clone()));
+        }
+    }
 }
 
 #[cfg(test)]
