@@ -252,7 +252,7 @@ JSON fields (--json): result (written), format, variables, clauses, file; with -
 /// Examples for `aperiodic`.
 pub const APERIODIC: &str = "\
 Examples:
-  tilepack aperiodic color jeandel-rao --rounds 4 -o certificate.json; tilepack verify certificate.json";
+  tilepack aperiodic color jeandel-rao --rounds 4 -o c.json; tilepack verify c.json";
 
 /// Examples for `aperiodic color`.
 pub const APERIODIC_COLOR: &str = "\
@@ -267,9 +267,9 @@ before by the code of verify. For a tile set file the windows are those of a leg
 and it is not proved that the corner tiles fill the plane.
 
 Examples:
-  tilepack aperiodic color jeandel-rao --rounds 4 -o certificate.json; tilepack verify certificate.json
+  tilepack aperiodic color jeandel-rao --rounds 4 -o c.json; tilepack verify c.json
   tilepack aperiodic color jeandel-rao --condition pair --target 30 --set-out corners.json
-  tilepack aperiodic color jeandel-rao --window 4x3 --rounds 2 --moves 200000 --json
+  tilepack aperiodic color jeandel-rao --window 4x3 --condition pair --rounds 2 --json
 
 Exit codes: 0 found, 1 no coloring met the condition, or there is no patch, 75 stopped before.
 
