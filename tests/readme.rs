@@ -6,6 +6,7 @@
 
 #![allow(clippy::unwrap_used)]
 
+use std::path::Path;
 use std::process::Command;
 
 const README: &str = include_str!("../README.md");
@@ -15,6 +16,7 @@ const PAGES: &[(&str, &str, usize)] = &[
     ("README.md", README, 10),
     ("docs/long-runs.md", include_str!("../docs/long-runs.md"), 15),
     ("docs/boards.md", include_str!("../docs/boards.md"), 8),
+    ("docs/aperiodic.md", include_str!("../docs/aperiodic.md"), 8),
     ("docs/classification.md", include_str!("../docs/classification.md"), 10),
     ("docs/coverings.md", include_str!("../docs/coverings.md"), 3),
     ("docs/exports.md", include_str!("../docs/exports.md"), 6),
@@ -23,6 +25,7 @@ const PAGES: &[(&str, &str, usize)] = &[
     ("docs/shaders.md", include_str!("../docs/shaders.md"), 5),
     ("docs/search.md", include_str!("../docs/search.md"), 2),
     ("docs/packings.md", include_str!("../docs/packings.md"), 4),
+    ("docs/coloring.md", include_str!("../docs/coloring.md"), 4),
     ("docs/first-packings.md", include_str!("../docs/first-packings.md"), 8),
 ];
 
@@ -82,26 +85,25 @@ fn commands_do_what_the_pages_show() {
     }
 }
 
-/// Runs the commands of a page; how many.
-fn run_page(page: &'static str) -> usize {
-    let binary = std::path::Path::new(env!("CARGO_BIN_EXE_tilepack"));
-    let folder = tempfile::tempdir().unwrap();
-    // Pages name the files of this folder as one finds them.
-    let data = folder.path().join("data");
-    std::fs::create_dir(&data).unwrap();
-    for file in std::fs::read_dir(concat!(env!("CARGO_MANIFEST_DIR"), "/data")).unwrap() {
-        let file = file.unwrap();
-        if !file.path().is_dir() {
-            std::fs::copy(file.path(), data.join(file.file_name())).unwrap();
-            continue;
-        }
-        let inner = data.join(file.file_name());
-        std::fs::create_dir(&inner).unwrap();
-        for file in std::fs::read_dir(file.path()).unwrap() {
-            let file = file.unwrap();
-            std::fs::copy(file.path(), inner.join(file.file_name())).unwrap();
+/// Copies a folder and the folders in it.
+fn copy_folder(from: &Path, to: &Path) {
+    std::fs::create_dir(to).unwrap();
+    for file in std::fs::read_dir(from).unwrap().map(Result::unwrap) {
+        let (from, to) = (file.path(), to.join(file.file_name()));
+        match from.is_dir() {
+            true => copy_folder(&from, &to),
+            false => drop(std::fs::copy(from, to).unwrap()),
         }
     }
+}
+
+/// Runs the commands of a page; how many.
+fn run_page(page: &'static str) -> usize {
+    let binary = Path::new(env!("CARGO_BIN_EXE_tilepack"));
+    let folder = tempfile::tempdir().unwrap();
+    // Pages name the files of this folder as one finds them.
+    let data = concat!(env!("CARGO_MANIFEST_DIR"), "/data");
+    copy_folder(data.as_ref(), &folder.path().join("data"));
     let path = std::env::join_paths(
         std::iter::once(binary.parent().unwrap().to_owned())
             .chain(std::env::split_paths(&std::env::var_os("PATH").unwrap())),

@@ -15,7 +15,10 @@ mod shader;
 mod tile;
 mod walk;
 
-pub use aperiodic::{AperiodicCommand, ClassifyArgs, DecideArgs, UpToArg};
+pub use aperiodic::{
+    AperiodicCommand, AperiodicSetsArgs, ClassifyArgs, ColorArgs, ConditionArg, ConvertArgs,
+    DecideArgs, PatchArgs, TablesArgs, UpToArg,
+};
 pub use atlas::{ArrangeArg, AtlasArgs, ChannelsArg, GutterArg, LintArgs, TilePictureArgs};
 pub use board::BoardArgs;
 pub use cube::{CubeArgs, CubeKindArg};

@@ -2,13 +2,14 @@
 //!
 //! The packings of a list are checked in chunks on all threads; reports keep their order.
 
+use super::aperiodic::certificate::CertificateReport;
 use super::aperiodic::claims::{ClaimReport, holds_claim};
 use super::args::VerifyArgs;
 use super::cube::CubeReport;
 use super::exit::Exit;
 use super::recursive::Recursive;
 use super::{describe, output, session, set, source};
-use crate::store::{Claim, Input, Solution, StoreError, holds_cubes, solutions};
+use crate::store::{Claim, Input, Solution, StoreError, holds_certificate, holds_cubes, solutions};
 use crate::torus::Packing;
 use crate::verify::{self, Recursion, Verdict};
 use rayon::prelude::*;
@@ -47,6 +48,19 @@ pub fn run(args: &VerifyArgs) -> anyhow::Result<Exit> {
             && holds_claim(input)
         {
             let report = ClaimReport::new(file.display().to_string(), input);
+            exit = worse(exit, report.exit());
+            match args.json {
+                true => objects.push(report.object()),
+                false => report.print(args.quiet)?,
+            }
+            continue;
+        }
+        if let Ok(input) = input.as_ref()
+            && holds_certificate(input)
+        {
+            let about_packings = args.recursive || claim != Claim::default();
+            let name = file.display().to_string();
+            let report = CertificateReport::new(name, input, about_packings);
             exit = worse(exit, report.exit());
             match args.json {
                 true => objects.push(report.object()),

@@ -10,6 +10,7 @@
 //! * [`read_listed_tiles`] reads the tiles of a sheet;
 //! * [`read_border`], [`read_squares`] and [`read_pins_on_board`] are for boards;
 //! * [`read_cubes`] and [`write_cubes`] do the same for packings of cubes;
+//! * [`read_certificate`] and [`write_certificate`] are for proofs that sets are aperiodic;
 //! * [`write_solution`], [`write_grid`] and [`write_tile_set`] are their inverses;
 //! * [`AtomicFile`] and [`check_writable`] see to it that a result is not lost;
 //! * [`Keeping`] saves a search while it runs, [`read_checkpoint`] finds it again, a [`Lock`]
@@ -41,6 +42,7 @@ mod sealed;
 mod solution;
 mod solutions;
 mod tile_set;
+mod toral;
 
 pub use atomic::{AtomicFile, check_writable, write_file};
 pub use border::read_border;
@@ -63,6 +65,7 @@ pub use solutions::{Solutions, read_solution, solutions};
 pub use tile_set::{
     ListedTiles, NamedSet, read_listed_tiles, read_squares, read_tile_set, write_tile_set,
 };
+pub use toral::{holds_certificate, read_certificate, write_certificate};
 
 use std::path::{Path, PathBuf};
 

@@ -22,12 +22,16 @@ mod occurrences;
 mod recursion;
 mod refutation;
 mod rows;
+mod toral;
 
 pub use cubes::{CubePlace, CubesFault, check_cube_packing};
 pub use fault::{Fault, Place, Tile, Touch};
 pub use recursion::{Block, NotRecursive, Recursion, check_recursion};
 pub use refutation::{Claim, ClaimFault, check_claim};
 pub use rows::{RowCheck, RowFault};
+pub use toral::{
+    CertificateFault, ProvedSet, Step, WayBack, check_certificate, check_corner_tiles,
+};
 
 use crate::tiles::Kind;
 use crate::torus::Packing;

@@ -68,7 +68,21 @@ fn the_examples_run() {
     place.write("begun.txt", "0 0 . .\n. . . .\n. . . .\n. . . .\n");
     place.run("find --kind corner --colors 4 --automorphism 4,0:1,2,3,0 --values random --quiet");
     let mut tried = 0;
-    for command in ["", "find", "count", "sets", "export", "import", "tile", "atlas", "lint"] {
+    for command in [
+        "",
+        "find",
+        "count",
+        "sets",
+        "export",
+        "import",
+        "tile",
+        "atlas",
+        "lint",
+        "aperiodic color",
+        "aperiodic sets",
+        "aperiodic convert",
+        "aperiodic patch",
+    ] {
         let help = run(&format!("{command} --help")).stdout;
         for line in help.lines().filter(|line| line.starts_with("  tilepack ")) {
             let line = line.split("   ").next().unwrap();

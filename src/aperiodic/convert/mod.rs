@@ -71,7 +71,7 @@ impl Method {
 
 impl fmt::Display for Method {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(self.name())
+        f.pad(self.name())
     }
 }
 
@@ -241,7 +241,8 @@ fn rotation(tiles: &[[u32; 4]], labels: &Labels) -> Vec<[u32; 4]> {
     let shift = labels.vertical.len() as u32;
     let horizontal = |label: u32| shift + labels.horizontal[&label];
     let vertical = |label: u32| labels.vertical[&label];
-    let turned = |&[n, e, s, w]: &[u32; 4]| [vertical(w), horizontal(n), vertical(e), horizontal(s)];
+    let turned =
+        |&[n, e, s, w]: &[u32; 4]| [vertical(w), horizontal(n), vertical(e), horizontal(s)];
     let mut all: Vec<[u32; 4]> = tiles.iter().map(turned).collect();
     // By the labels alone: what lies to the left and above is (S, E) of a tile, and so on.
     let corners = |key: fn([u32; 4]) -> (u32, u32)| -> BTreeSet<(u32, u32)> {
@@ -287,12 +288,10 @@ fn subdivision(tiles: &[[u32; 4]], labels: &Labels, larger: u32) -> Vec<[u32; 4]
 /// each direction anew. The larger count goes with the tiles.
 fn to_wang(tiles: &[[u32; 4]]) -> (Vec<[u32; 4]>, usize) {
     let pairs = |a: (u32, u32), b: (u32, u32)| [a, b];
-    let horizontal = Labels::number(
-        tiles.iter().flat_map(|&[nw, ne, se, sw]| pairs((nw, ne), (sw, se))),
-    );
-    let vertical = Labels::number(
-        tiles.iter().flat_map(|&[nw, ne, se, sw]| pairs((nw, sw), (ne, se))),
-    );
+    let horizontal =
+        Labels::number(tiles.iter().flat_map(|&[nw, ne, se, sw]| pairs((nw, ne), (sw, se))));
+    let vertical =
+        Labels::number(tiles.iter().flat_map(|&[nw, ne, se, sw]| pairs((nw, sw), (ne, se))));
     let tile = |&[nw, ne, se, sw]: &[u32; 4]| {
         [horizontal[&(nw, ne)], vertical[&(ne, se)], horizontal[&(sw, se)], vertical[&(nw, sw)]]
     };

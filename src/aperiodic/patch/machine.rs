@@ -87,7 +87,9 @@ fn walk(
     for column in 0..width {
         let there = &reaches[(column + 1) * states..][..states];
         let goes = |tile: &Tile| {
-            state.is_none_or(|state| state == tile[3]) && there[tile[1] as usize] && fits(column, tile)
+            state.is_none_or(|state| state == tile[3])
+                && there[tile[1] as usize]
+                && fits(column, tile)
         };
         let at = tiles.iter().position(goes)?;
         state = Some(tiles[at][1]);

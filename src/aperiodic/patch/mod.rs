@@ -7,8 +7,10 @@
 //! some rows are taken back, the more the oftener it happens, and chosen anew.
 //!
 //! That fills some hundred tiles a side, or fewer, for rows get harder to go on from the wider they
-//! are. The set is transposed when that goes better. Sets that compute ([`Machine`]) need no search.
+//! are. The set is transposed when that goes better. Sets that compute ([`Machine`]) need no
+//! search, nor do the tiles of Jeandel and Rao.
 
+mod coded;
 mod columns;
 mod machine;
 
@@ -93,6 +95,13 @@ pub fn fill(
     Err(Unfilled::Stopped { best })
 }
 
+/// Fills a rectangle with the tiles of Jeandel and Rao, under their own labels; `None` for all
+/// others.
+pub fn code(tiles: &[Tile], width: usize, height: usize, seed: u64) -> Option<Patch> {
+    let cells = coded::fill(tiles, width, height, &mut Random(seed))?;
+    Some(Patch { width, height, cells, ahead: 0, back: 0 })
+}
+
 /// Fills a rectangle with the tiles of a set that computes; `None` when it does not.
 pub fn compute(
     tiles: &[Tile],
@@ -141,13 +150,22 @@ struct Filling<'a> {
 }
 
 impl Filling<'_> {
-    fn fill(&mut self, height: usize, patience: usize, random: &mut Random, stop: &dyn Stop) -> bool {
+    fn fill(
+        &mut self,
+        height: usize,
+        patience: usize,
+        random: &mut Random,
+        stop: &dyn Stop,
+    ) -> bool {
         let mut take = 1;
         while self.rows.len() < height {
             if stop.should_stop() {
                 return false;
             }
-            match self.columns.row(self.rows.last().map(Vec::as_slice), self.width, || random.next()) {
+            match self
+                .columns
+                .row(self.rows.last().map(Vec::as_slice), self.width, || random.next())
+            {
                 Some(row) => {
                     self.rows.push(row);
                     if self.rows.len() > self.best {
@@ -161,7 +179,7 @@ impl Filling<'_> {
                         return false;
                     }
                     self.rows.truncate(self.rows.len().saturating_sub(take));
-                    take *= 2;
+                    take = take.saturating_mul(2);
                 }
             }
         }

@@ -10,11 +10,11 @@ use crate::aperiodic::decide::torus::Torus;
 use crate::aperiodic::decide::{Bounds, Gap, Verdict, decide, likeness, lonely, useful, wang};
 use crate::cli::args::DecideArgs;
 use crate::cli::exit::Exit;
-use crate::cli::{describe, output, signal, source};
-use crate::store::{check_writable, read_listed_tiles, read_tile_set, write_file};
+use crate::cli::{describe, output, signal};
+use crate::store::{check_writable, write_file};
 use crate::tiles::Kind;
 use crate::verify::{Claim, ClaimFault, check_claim};
-use anyhow::{Context, bail};
+use anyhow::bail;
 use serde_json::{Value, json};
 use std::io::{self, Write};
 use std::time::Instant;
@@ -33,7 +33,7 @@ pub fn run(args: &DecideArgs) -> anyhow::Result<Exit> {
     if let Some(file) = &args.certificate {
         check_writable(file)?;
     }
-    let set = read(args)?;
+    let set = super::source::set(&args.file)?;
     let tiles = wang(&set);
     let lonely = lonely(&tiles);
     if !args.quiet {
@@ -92,22 +92,6 @@ pub fn run(args: &DecideArgs) -> anyhow::Result<Exit> {
         output::result(|out| answer.write(out, &set, &status))?;
     }
     Ok(answer.exit)
-}
-
-/// The tiles in the order of the file.
-fn read(args: &DecideArgs) -> anyhow::Result<Set> {
-    let input = source::open(&args.file)?;
-    // Refuses tiles that are listed twice, with line and column.
-    read_tile_set(&input, None)?;
-    let listed = read_listed_tiles(&input, None)?;
-    let sides = listed.tiles.iter().map(|&tile| listed.kind.unpack(tile, listed.colors));
-    let order = |sides: [u8; 4]| match listed.kind {
-        // NE, SE, SW, NW to NW, NE, SE, SW.
-        Kind::Corner => [sides[3], sides[0], sides[1], sides[2]],
-        _ => sides,
-    };
-    let tiles = sides.map(|sides| order(sides).map(u32::from)).collect();
-    Set::new(listed.kind, tiles).with_context(|| args.file.display().to_string())
 }
 
 fn warn(set: &Set, lonely: &[(usize, Vec<usize>)]) {

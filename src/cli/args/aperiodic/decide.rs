@@ -1,23 +1,11 @@
-//! The options of the commands about aperiodic sets.
+//! The options of `aperiodic decide` and `aperiodic classify`.
 
-use super::super::{duration, help};
+use super::super::super::duration;
 use crate::tiles::Kind;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
-use clap::{Args, Subcommand, ValueEnum};
+use clap::{Args, ValueEnum};
 use std::path::PathBuf;
 use std::time::Duration;
-
-/// What to do with sets of tiles.
-#[derive(Debug, Clone, Subcommand)]
-pub enum AperiodicCommand {
-    /// Find out whether a set fills the plane: not at all, with two periods, or as a published
-    /// aperiodic set
-    #[command(after_help = help::DECIDE)]
-    Decide(DecideArgs),
-    /// Decide all sets of a size
-    #[command(after_help = help::CLASSIFY)]
-    Classify(ClassifyArgs),
-}
 
 /// A set to decide.
 #[derive(Debug, Clone, Args)]
