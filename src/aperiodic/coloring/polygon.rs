@@ -1,4 +1,4 @@
-//! Convex polygons with vertices in Z[phi], and what two of them have in common.
+//! Convex polygons with vertices in `Z[phi]`, and what two of them have in common.
 //!
 //! A polygon is cut by the lines of the sides of another one, one after the other (Sutherland and
 //! Hodgman 1974). A line meets a side in a point with coordinates in the ring for all polygons
@@ -15,7 +15,7 @@ pub type Point = [Zphi; 2];
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Polygon(pub Vec<Point>);
 
-/// Two sides meet in a point outside of Z[phi].
+/// Two sides meet in a point outside of `Z[phi]`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
 #[error("two sides meet in a point that is not in Z[phi]")]
 pub struct OutsideRing;

@@ -1,4 +1,4 @@
-//! The ring Z[phi] of the golden ratio phi = (1 + sqrt 5) / 2: exact numbers `a + b phi`.
+//! The ring `Z[phi]` of the golden ratio phi = (1 + sqrt 5) / 2: exact numbers `a + b phi`.
 //!
 //! phi^2 = phi + 1. The sign of `a + b phi` is that of `u + v sqrt 5` with `u = 2 a + b`, `v = b`,
 //! found by comparing `u^2` with `5 v^2`. A quotient is that by the norm `a^2 + a b - b^2`, if it

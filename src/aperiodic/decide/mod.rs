@@ -1,6 +1,6 @@
 //! Whether a set of tiles fills the plane: not at all, with a period, or unknown.
 //!
-//! [`decide`] goes through the [`power`]s of the set, of its rows and of its columns in turn. An
+//! [`decide`] goes through the powers of the set, of its rows and of its columns in turn. An
 //! empty power says that there is no tiling; the smallest [`square`] that cannot be filled then
 //! says it again, in a way that is easy to check. A cycle in a power says that there is a tiling
 //! with a period; the smallest [`torus`] shows it. Else the set is undecided, as an aperiodic set

@@ -47,7 +47,7 @@ pub(super) fn fill(
         let cells: Vec<usize> = (0..width * height).map(cell).collect::<Option<_>>()?;
         let fits = |i: usize| {
             let here = tiles[cells[i]];
-            (i % width == 0 || tiles[cells[i - 1]][1] == here[3])
+            (i.is_multiple_of(width) || tiles[cells[i - 1]][1] == here[3])
                 && (i < width || tiles[cells[i - width]][2] == here[0])
         };
         (0..cells.len()).all(fits).then_some(cells)

@@ -2,7 +2,7 @@
 //!
 //! A row of tiles below given labels is a walk in the graph whose states are the labels between
 //! tiles. Whether *k* rows fit below each other is a walk, too, in the graph of columns of *k*
-//! tiles ([`Columns`]). A row is taken from a random walk there, of which only the first tiles
+//! tiles (`columns`). A row is taken from a random walk there, of which only the first tiles
 //! are kept: then k - 1 more rows are possible below it, whatever comes. Where none is possible
 //! some rows are taken back, the more the oftener it happens, and chosen anew.
 //!

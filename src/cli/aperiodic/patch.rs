@@ -180,13 +180,14 @@ fn picture(
     let demo = Demo { shape: packing.shape, tiles: packing.tiles.clone(), how: How::TileByTile };
     let scene = sheets::tiling(&packing, &demo, args.tile_size, false);
     let title = format!("{} tiles, {}x{}", set.tiles().len(), patch.width, patch.height);
-    Ok(match is_svg {
+    match is_svg {
         true => write_file(file, |out| svg::write_svg(out, &scene, args.tile_size, &title))?,
         false => {
             let image = raster::draw(&scene, args.tile_size);
-            write_file(file, |out| write_png(out, &image, &[]))?
+            write_file(file, |out| write_png(out, &image, &[]))?;
         }
-    })
+    }
+    Ok(())
 }
 
 /// The patch as tiles over colors, for pictures.
