@@ -21,6 +21,9 @@ const CHUNK: usize = 4096;
 /// Packings of one file whose faults are told in full.
 pub(super) const TOLD: usize = 10;
 
+/// Whether something could be printed.
+type Printed = anyhow::Result<()>;
+
 /// Runs the command.
 ///
 /// # Errors
@@ -32,48 +35,32 @@ pub fn run(args: &VerifyArgs) -> anyhow::Result<Exit> {
     let mut objects = Vec::new();
     for file in &args.files {
         let input = source::open(file);
-        if let Ok(input) = input.as_ref()
-            && holds_cubes(input)
-        {
-            let about_tiles = args.recursive || claim != Claim::default();
-            let report = CubeReport::new(file.display().to_string(), input, about_tiles);
-            exit = worse(exit, report.exit());
+        let name = || file.display().to_string();
+        let mut tell = |of: Exit, object: &dyn Fn() -> String, print: &dyn Fn() -> Printed| {
+            exit = worse(exit, of);
             match args.json {
-                true => objects.push(report.object()),
-                false => report.print(args.quiet)?,
+                true => Ok(objects.push(object())),
+                false => print(),
             }
-            continue;
-        }
-        if let Ok(input) = input.as_ref()
-            && holds_claim(input)
-        {
-            let report = ClaimReport::new(file.display().to_string(), input);
-            exit = worse(exit, report.exit());
-            match args.json {
-                true => objects.push(report.object()),
-                false => report.print(args.quiet)?,
+        };
+        let about_packings = args.recursive || claim != Claim::default();
+        match input.as_ref() {
+            Ok(input) if holds_cubes(input) => {
+                let report = CubeReport::new(name(), input, about_packings);
+                tell(report.exit(), &|| report.object(), &|| report.print(args.quiet))?;
             }
-            continue;
-        }
-        if let Ok(input) = input.as_ref()
-            && holds_certificate(input)
-        {
-            let about_packings = args.recursive || claim != Claim::default();
-            let name = file.display().to_string();
-            let report = CertificateReport::new(name, input, about_packings);
-            exit = worse(exit, report.exit());
-            match args.json {
-                true => objects.push(report.object()),
-                false => report.print(args.quiet)?,
+            Ok(input) if holds_claim(input) => {
+                let report = ClaimReport::new(name(), input);
+                tell(report.exit(), &|| report.object(), &|| report.print(args.quiet))?;
             }
-            continue;
-        }
-        let report = check(file, input, &claim, args.recursive);
-        exit = worse(exit, report.exit());
-        if args.json {
-            objects.push(report.object());
-        } else {
-            report.print(args.quiet)?;
+            Ok(input) if holds_certificate(input) => {
+                let report = CertificateReport::new(name(), input, about_packings);
+                tell(report.exit(), &|| report.object(), &|| report.print(args.quiet))?;
+            }
+            _ => {
+                let report = check(file, input, &claim, args.recursive);
+                tell(report.exit(), &|| report.object(), &|| report.print(args.quiet))?;
+            }
         }
     }
     if args.json {

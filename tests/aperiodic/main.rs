@@ -19,7 +19,8 @@ pub(crate) fn published(name: &str) -> Set {
     let tiles = json["tiles"].as_array().unwrap().iter().map(|tile| {
         std::array::from_fn(|side| u32::try_from(tile[side].as_u64().unwrap()).unwrap())
     });
-    Set::new(Kind::Wang, tiles.collect()).unwrap()
+    let kind: Kind = json["kind"].as_str().unwrap().parse().unwrap();
+    Set::new(kind, tiles.collect()).unwrap()
 }
 
 /// The names of all files.

@@ -56,6 +56,20 @@ fn the_44_tiles_are_periodic() {
     }
 }
 
+/// The corner sets in the repository are what the constructions give.
+#[test]
+fn corner_sets_on_file() {
+    for (file, name, method) in [
+        ("ammann-horizontal-44", "ammann16", Method::Horizontal),
+        ("kari-vertical-86", "kari14", Method::Vertical),
+    ] {
+        let on_file = published(&format!("corner/{file}"));
+        assert_eq!(on_file.tiles(), convert(&published(name), method).unwrap().set.tiles());
+    }
+    let small = published("corner/corner-24");
+    assert_eq!(small.tiles().len(), 24);
+}
+
 /// Corner tilings of horizontal translation are tilings by the enlarged set: on small tori both
 /// exist or neither does.
 #[test]

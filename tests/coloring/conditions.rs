@@ -5,8 +5,9 @@ use crate::jeandel_rao;
 use proptest::prelude::*;
 use tilepack::aperiodic::coloring::condition::{Colored, Condition};
 use tilepack::aperiodic::coloring::language::patterns_of_patch;
-use tilepack::aperiodic::coloring::patch::patch;
 use tilepack::aperiodic::coloring::vertices::{Vertices, VerticesError};
+use tilepack::aperiodic::decide::Tile;
+use tilepack::aperiodic::patch::fill;
 use tilepack::verify::{WayBack, check_corner_tiles};
 
 /// A coloring that keeps apart what the pattern in the two rows and columns next to the vertex
@@ -61,14 +62,15 @@ fn every_tiling_by_found_corner_tiles_is_read() {
     let tiles = &certificate.tiles;
     // A corner tile as a Wang tile whose labels are pairs of colors.
     let pair = |a: u32, b: u32| 4 * a + b;
-    let as_wang: Vec<[u32; 4]> = tiles
+    let as_wang: Vec<Tile> = tiles
         .iter()
         .map(|&[nw, ne, se, sw]| [pair(nw, ne), pair(ne, se), pair(sw, se), pair(nw, sw)])
         .collect();
     for seed in 0..5 {
         let (rows, columns) = (14, 14);
-        let filled = patch(&as_wang, [rows, columns], seed, &()).unwrap();
-        let options = |row: usize, column: usize| &certificate.options[filled[row][column]];
+        let filled = fill(&as_wang, columns, rows, seed, &()).unwrap().cells;
+        let options =
+            |row: usize, column: usize| &certificate.options[filled[row * columns + column]];
         let read = |row: usize, column: usize| {
             let fits = |&&wang: &&usize| {
                 let [n, e, s, w] = certificate.wang[wang];

@@ -14,6 +14,9 @@ fn sets() -> Vec<(String, Set)> {
     let mut sets = Vec::new();
     for file in fs::read_dir(folder).unwrap() {
         let path = file.unwrap().path();
+        if path.is_dir() {
+            continue;
+        }
         let json: serde_json::Value =
             serde_json::from_str(&fs::read_to_string(&path).unwrap()).unwrap();
         if json["kind"] != "wang" {

@@ -35,7 +35,7 @@ impl Condition {
 }
 
 /// The most corner tiles, and Wang tiles, that are looked at: bits of a word.
-const MOST_TILES: usize = 128;
+pub const MOST_TILES: usize = 128;
 /// Surroundings looked at, at most; more than any set of a few dozen tiles needs.
 const PATIENCE: u64 = 3_000_000;
 

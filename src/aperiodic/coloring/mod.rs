@@ -6,7 +6,8 @@
 //! of them has a period. Colors are chosen so that there are few corner tiles.
 //!
 //! * [`language`] finds the windows of the Wang tilings, exactly with a [`partition`] of a torus
-//!   into [`polygon`]s over `Z[phi]` ([`zphi`]), or from a [`patch`];
+//!   into [`polygon`]s over `Z[phi]` ([`zphi`]), or from a
+//!   [`super::patch`];
 //! * [`vertices`] are the classes that get colors, [`condition`] says when the way back exists;
 //! * [`anneal`] is one round of the search, [`rounds`] are many;
 //! * [`certificate`] puts together what a checker needs.
@@ -16,7 +17,6 @@ pub mod certificate;
 pub mod condition;
 pub mod language;
 pub mod partition;
-pub mod patch;
 pub mod polygon;
 pub mod rounds;
 pub mod vertices;

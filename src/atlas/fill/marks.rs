@@ -4,7 +4,7 @@
 //! The triangles of a Wang tile meet along its diagonals, where a strip would show two of them:
 //! the squares where two strips cross are left gray.
 
-use super::{Canvas, mix, rgb};
+use super::{Canvas, mix};
 use crate::atlas::{AtlasError, Format, Image, TileImages};
 use crate::tiles::{Kind, TileId};
 
@@ -30,20 +30,11 @@ impl TileImages for Marks {
 
     fn draw(&self, tile: TileId) -> Result<Image, AtlasError> {
         let canvas = &self.canvas;
-        let sides = canvas.sides(tile);
-        let colors: [[f32; 3]; 4] =
-            std::array::from_fn(|side| rgb(canvas.shown(side, sides[side])));
-        let mut image = Image::new(canvas.side, canvas.side, canvas.format);
-        for y in 0..canvas.side {
-            for x in 0..canvas.side {
-                let texel = match canvas.kind {
-                    Kind::Wang => triangles(canvas, &colors, x, y),
-                    _ => discs(canvas, &colors, x, y),
-                };
-                canvas.put(&mut image, x, y, texel);
-            }
-        }
-        Ok(image)
+        let colors = canvas.looks(canvas.sides(tile));
+        Ok(canvas.paint(|x, y| match canvas.kind {
+            Kind::Wang => triangles(canvas, &colors, x, y),
+            _ => discs(canvas, &colors, x, y),
+        }))
     }
 }
 

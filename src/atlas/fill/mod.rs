@@ -48,6 +48,22 @@ impl Canvas {
         }
     }
 
+    /// The looks of the sides of a tile.
+    fn looks(&self, sides: [u8; 4]) -> [[f32; 3]; 4] {
+        std::array::from_fn(|side| rgb(self.shown(side, sides[side])))
+    }
+
+    /// A picture of these texels, each by its column and row.
+    fn paint(&self, texel: impl Fn(usize, usize) -> [f32; 3]) -> Image {
+        let mut image = Image::new(self.side, self.side, self.format);
+        for y in 0..self.side {
+            for x in 0..self.side {
+                self.put(&mut image, x, y, texel(x, y));
+            }
+        }
+        image
+    }
+
     /// Writes a texel whose red, green and blue go from 0 to 1, encoded for the eye.
     fn put(&self, image: &mut Image, x: usize, y: usize, rgb: [f32; 3]) {
         let Format { channels, depth, light } = self.format;

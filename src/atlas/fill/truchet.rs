@@ -9,7 +9,7 @@
 //! them are drawn. A hill ends before the strips of the other two sides, so that these know
 //! nothing of it.
 
-use super::{Canvas, hash, mix, rgb};
+use super::{Canvas, hash, mix};
 use crate::atlas::{AtlasError, Format, Image, TileImages};
 use crate::tiles::{Kind, TileId};
 
@@ -40,20 +40,12 @@ impl TileImages for Truchet {
     fn draw(&self, tile: TileId) -> Result<Image, AtlasError> {
         let canvas = &self.canvas;
         let sides = canvas.sides(tile);
-        let colors: [[f32; 3]; 4] =
-            std::array::from_fn(|side| rgb(canvas.shown(side, sides[side])));
-        let mut image = Image::new(canvas.side, canvas.side, canvas.format);
+        let colors = canvas.looks(sides);
         let style = hash([self.seed, tile.0.into(), 0, 1]) % 3;
-        for y in 0..canvas.side {
-            for x in 0..canvas.side {
-                let texel = match canvas.kind {
-                    Kind::Wang => ribbons(canvas, &colors, style, x, y),
-                    _ => contours(canvas, sides, &colors, x, y),
-                };
-                canvas.put(&mut image, x, y, texel);
-            }
-        }
-        Ok(image)
+        Ok(canvas.paint(|x, y| match canvas.kind {
+            Kind::Wang => ribbons(canvas, &colors, style, x, y),
+            _ => contours(canvas, sides, &colors, x, y),
+        }))
     }
 }
 

@@ -10,14 +10,14 @@ use super::super::exit::Exit;
 use super::super::session::Clock;
 use super::super::{describe, duration, output, source};
 use super::certificate;
-use crate::aperiodic::Set;
 use crate::aperiodic::coloring::certificate::{certificate as certify, renumbered};
-use crate::aperiodic::coloring::condition::{Colored, Condition};
+use crate::aperiodic::coloring::condition::{Colored, Condition, MOST_TILES};
 use crate::aperiodic::coloring::language::{Window, patterns, patterns_of_patch, windows};
 use crate::aperiodic::coloring::partition::{JEANDEL_RAO, Partition};
-use crate::aperiodic::coloring::patch::{MOST_WANG, patch};
 use crate::aperiodic::coloring::rounds::{self, Outcome, Search};
 use crate::aperiodic::coloring::vertices::Vertices;
+use crate::aperiodic::decide::wang;
+use crate::aperiodic::{Set, patch};
 use crate::search::Stop;
 use crate::store::{
     Input, check_writable, read_certificate, read_tile_set, write_certificate, write_file,
@@ -141,16 +141,18 @@ fn base(args: &ColorArgs, shape: [usize; 2], stop: &dyn Stop) -> anyhow::Result<
     if set.kind() != Kind::Wang {
         bail!("{file}: expected Wang tiles, not {} tiles", set.kind());
     }
-    if set.tiles().len() > MOST_WANG {
-        bail!("{file}: {} Wang tiles, more than {MOST_WANG}", set.tiles().len());
+    if set.tiles().len() > MOST_TILES {
+        bail!("{file}: {} Wang tiles, more than {MOST_TILES}", set.tiles().len());
     }
     let [width, height] = sides("--patch", &args.patch, 10_000)?;
     if width * height > MOST_CELLS || height < rows || width < columns {
         let size = &args.patch;
         bail!("--patch {size}: expected at least {columns}x{rows} and at most {MOST_CELLS} cells");
     }
-    let found = patch(set.tiles(), [height, width], args.seed, stop);
-    let Some(found) = found else { return Ok(None) };
+    let Ok(found) = patch::fill(&wang(&set), width, height, args.seed, stop) else {
+        return Ok(None);
+    };
+    let found: Vec<Vec<usize>> = found.cells.chunks(width).map(<[usize]>::to_vec).collect();
     let seen = patterns_of_patch(&found, [rows, columns]);
     let vertices = Vertices::new(set.tiles().to_vec(), shape, &seen)?;
     let status = format!("windows from a patch of {width} x {height}: existence is not proved");

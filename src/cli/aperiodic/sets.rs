@@ -15,7 +15,7 @@ const MORE: [(&str, &str, usize, usize, &str, &str); 3] = [
         "corner",
         24,
         4,
-        "aperiodic given Jeandel and Rao 2021: certificate in data/aperiodic",
+        "aperiodic given Jeandel and Rao 2021: certificate cert-24-tiles-4-colors.json",
         "aperiodic color jeandel-rao",
     ),
     (
