@@ -38,10 +38,11 @@ pub fn run(args: &VerifyArgs) -> anyhow::Result<Exit> {
         let name = || file.display().to_string();
         let mut tell = |of: Exit, object: &dyn Fn() -> String, print: &dyn Fn() -> Printed| {
             exit = worse(exit, of);
-            match args.json {
-                true => Ok(objects.push(object())),
-                false => print(),
+            if !args.json {
+                return print();
             }
+            objects.push(object());
+            Ok(())
         };
         let about_packings = args.recursive || claim != Claim::default();
         match input.as_ref() {
