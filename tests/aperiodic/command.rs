@@ -56,6 +56,7 @@ fn conversions_go_on_from_files() {
         ("convert kari --method sideways", "expected diagonal, horizontal"),
         ("convert corner.json --method to-wang --repeat 2", "--repeat 2 goes with"),
         ("patch kari --size 0x4", "size"),
+        ("patch kari --size 60000x60000", "3600000000 tiles, expected 67108864 or fewer"),
         ("patch ammann --torus --size 5x5 --time-limit 1ms", "none"),
     ] {
         let (code, told) = run(&place, args);

@@ -26,7 +26,6 @@ pub fn run(args: &ConvertArgs) -> anyhow::Result<Exit> {
         args.repeat
     );
     let set = source::set(&args.file)?;
-    // Of a set that fails the published criterion no more is made.
     let sound = verdict(&set, args.method);
     let mut steps: Vec<(Method, Converted)> = Vec::new();
     for round in 0..args.repeat {

@@ -29,6 +29,9 @@ const MACHINES: [Machine; 2] = [
     Machine { values: &[0, 0, 1, 2], ratios: &[(1.0, 2.0), (3.0, 1.0)], range: (1.0 / 3.0, 2.0) },
 ];
 
+/// Tiles of a patch at most: 8192 x 8192, half a gigabyte.
+const MAX_CELLS: usize = 1 << 26;
+
 /// Texels of a picture at most.
 const MAX_TEXELS: usize = 1 << 28;
 
@@ -43,6 +46,8 @@ pub fn run(args: &PatchArgs) -> anyhow::Result<Exit> {
     }
     let set = source::set(&args.file)?;
     let size = args.size.as_deref().map(str::parse::<Shape>).transpose()?;
+    let cells = size.map_or(0, Shape::cells);
+    ensure!(cells <= MAX_CELLS, "--size: {cells} tiles, expected {MAX_CELLS} or fewer");
     let deadline = args.time_limit.and_then(|time| begin.checked_add(time));
     let stop = (signal::listen()?, deadline);
     let tiles = wang(&set);
