@@ -24,11 +24,12 @@
 //! 15. [`verify`]: packings checked from the definition, by code that shares nothing with the
 //!     search.
 //! 16. [`aperiodic`]: sets of tiles that fill the plane, but never periodically.
-//! 17. [`tiling`]: endless tilings, evaluated anywhere.
-//! 18. [`atlas`]: from a packing to a texture.
-//! 19. [`store`]: files, whole or not at all.
-//! 20. [`cluster`]: one search in parts, on many machines.
-//! 21. [`cli`]: the command line.
+//! 17. [`dappled`]: tilings in which nothing repeats for too long.
+//! 18. [`tiling`]: endless tilings, evaluated anywhere.
+//! 19. [`atlas`]: from a packing to a texture.
+//! 20. [`store`]: files, whole or not at all.
+//! 21. [`cluster`]: one search in parts, on many machines.
+//! 22. [`cli`]: the command line.
 //!
 //! Every layer uses only those before it (the search none), so each can be read, and trusted,
 //! without the later ones.
@@ -66,6 +67,7 @@ pub mod compact;
 pub mod construct;
 pub mod count;
 pub mod cover;
+pub mod dappled;
 pub mod export;
 pub mod packing;
 pub mod patch;

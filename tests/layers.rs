@@ -31,8 +31,10 @@ const LAYERS: &[(&str, &[&str])] = &[
     ("export", &["tiles", "torus", "symmetry", "packing"]),
     // Of the search only what says when to stop.
     ("aperiodic", &["tiles", "torus", "search"]),
+    // Of the search only what says when to stop.
+    ("dappled", &["tiles", "torus", "search"]),
     ("tiling", &["tiles", "torus", "construct"]),
-    ("atlas", &["tiles", "torus", "construct", "tiling"]),
+    ("atlas", &["tiles", "torus", "construct", "tiling", "dappled"]),
     ("store", &["tiles", "torus", "search", "symmetry", "packing"]),
     ("cluster", &["packing", "store"]),
     (
@@ -52,6 +54,7 @@ const LAYERS: &[(&str, &[&str])] = &[
             "cover",
             "export",
             "aperiodic",
+            "dappled",
             "tiling",
             "atlas",
             "verify",
@@ -70,7 +73,7 @@ const CRATES: &[(&str, &[&str])] = &[
     ("roxmltree", &["atlas/formats/"]),
     ("bincode", &["store/codec.rs"]),
     ("serde_json", &["store/", "cli/", "atlas/"]),
-    ("rayon", &["packing/", "symmetry/", "atlas/", "aperiodic/classify/", "cli/"]),
+    ("rayon", &["packing/", "symmetry/", "atlas/", "aperiodic/classify/", "dappled/", "cli/"]),
     ("crossbeam", &["search/", "store/keeping.rs"]),
     (
         "rand",
@@ -82,6 +85,7 @@ const CRATES: &[(&str, &[&str])] = &[
             "patch/",
             "compact/",
             "construct/",
+            "dappled/",
         ],
     ),
     (
@@ -94,6 +98,7 @@ const CRATES: &[(&str, &[&str])] = &[
             "patch/",
             "compact/",
             "construct/",
+            "dappled/",
         ],
     ),
 ];

@@ -13,7 +13,7 @@
 //! * [`Layout`] says where tiles lie, [`Scene`] draws them, [`chain`] makes mip levels, [`tables`]
 //!   are for mappers;
 //! * [`filter`] says where filtering is exact, [`lint`] whether the tiles of a sheet fit;
-//! * [`PngWriter`] writes PNG, [`light`] decodes it; [`palette`] gives colors their look;
+//! * [`PngWriter`] writes PNG, [`light`] decodes it; [`levels`] are fields of tiles as pictures; [`palette`] gives colors their look;
 //! * [`formats`] are those of other programs, [`picture`] draws for people, [`demo`] lays tiles;
 //! * [`shader`] writes the endless tiling for graphics cards, [`viewer`] a page that draws it.
 
@@ -26,6 +26,7 @@ pub mod formats;
 mod given;
 mod image;
 mod layout;
+pub mod levels;
 pub mod light;
 pub mod lint;
 mod mips;

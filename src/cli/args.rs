@@ -7,6 +7,7 @@ mod aperiodic;
 mod atlas;
 mod board;
 mod cube;
+mod dapple;
 mod export;
 mod find;
 mod formats;
@@ -22,6 +23,7 @@ pub use aperiodic::{
 pub use atlas::{ArrangeArg, AtlasArgs, ChannelsArg, GutterArg, LintArgs, TilePictureArgs};
 pub use board::BoardArgs;
 pub use cube::{CubeArgs, CubeKindArg};
+pub use dapple::{DappleCheckArgs, DappleCommand, RuleArgs};
 pub use export::{ExportCnfArgs, ExportOut, ExportXccArgs};
 pub use find::{FindArgs, FirstRow, Method, ValueOrder};
 pub use formats::{ExportArgs, ImportArgs, To};
@@ -102,6 +104,9 @@ pub enum Command {
     /// Convert, decide, classify and find sets of tiles that fill the plane without a period
     #[command(after_help = help::APERIODIC, subcommand, disable_help_subcommand = true)]
     Aperiodic(AperiodicCommand),
+    /// Make, count, complete and check tilings in which nothing repeats for too long
+    #[command(after_help = help::DAPPLE, subcommand, disable_help_subcommand = true)]
+    Dapple(DappleCommand),
     /// Read a tile set of the map editor Tiled, so that it can be packed
     #[command(after_help = help::IMPORT)]
     Import(ImportArgs),

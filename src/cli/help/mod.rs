@@ -1,9 +1,11 @@
 //! The longer help texts: what the program is about, and examples for every command.
 
 mod aperiodic;
+mod dappled;
 mod textures;
 
 pub use aperiodic::*;
+pub use dappled::*;
 pub use textures::*;
 
 /// About the program.
