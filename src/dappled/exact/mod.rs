@@ -7,16 +7,27 @@
 //!
 //! What is found is checked from the definition before it is given out.
 
+mod bound;
+mod counts;
 mod encode;
+mod pack;
+mod proof;
 pub mod sat;
 mod shrink;
+mod total;
+mod walk;
+
+pub use bound::Reason;
+pub use counts::{Counted, Counts, complete_with, counts};
+pub use proof::{Proof, proof};
 
 use super::{FREE, Field, Rule};
 use crate::search::Stop;
 use encode::Formula;
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64;
-use sat::{Answer, Literal};
+use sat::{Answer, Literal, Solver};
+use shrink::smaller;
 
 /// What became of a partial tiling.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -53,6 +64,14 @@ pub enum ExactError {
         row: usize,
         /// The column.
         column: usize,
+        /// The tile.
+        tile: u8,
+        /// How many tiles there are.
+        tiles: usize,
+    },
+    /// A tile to count that there is not.
+    #[error("tile {tile}: expected one below {tiles}")]
+    Counted {
         /// The tile.
         tile: u8,
         /// How many tiles there are.
@@ -106,7 +125,7 @@ impl<'a> Question<'a> {
         if !Formula::fits(rule) {
             return Err(ExactError::Large(found.0, found.1));
         }
-        let mut formula = Formula::new(rule);
+        let mut formula = Formula::new(rule, Solver::new(0));
         let mut random = Pcg64::seed_from_u64(seed);
         for cell in 0..(found.0 * found.1) as u32 {
             let tile = random.random_range(0..tiles as u8);
@@ -119,20 +138,27 @@ impl<'a> Question<'a> {
 
     fn answer(&mut self, stop: &dyn Stop) -> Result<Completion, ExactError> {
         Ok(match self.formula.solver.solve(&self.given, stop) {
-            Answer::Model => {
-                let tiling = self.formula.tiling(self.partial);
-                if !self.rule.accepts(&tiling) || !self.partial.agrees_with(&tiling) {
-                    return Err(ExactError::Wrong);
-                }
-                Completion::Found(tiling)
-            }
+            Answer::Model => Completion::Found(self.checked(self.formula.tiling(self.partial))?),
             Answer::Failed(failed) => {
-                let (core, minimal) = shrink::smaller(&mut self.formula.solver, failed, stop);
-                let mut core: Vec<u32> = core.iter().map(|&l| self.formula.cell(l)).collect();
-                core.sort_unstable();
-                Completion::Impossible { core, minimal }
+                let (core, minimal) = smaller(&mut self.formula.solver, &[], failed, stop);
+                Completion::Impossible { core: self.blamed(&core), minimal }
             }
             Answer::Stopped => Completion::Stopped,
         })
+    }
+
+    /// What was found, if it is what was asked for: from the definition.
+    fn checked(&self, tiling: Field) -> Result<Field, ExactError> {
+        match self.rule.accepts(&tiling) && self.partial.agrees_with(&tiling) {
+            true => Ok(tiling),
+            false => Err(ExactError::Wrong),
+        }
+    }
+
+    /// The cells of literals, ascending.
+    fn blamed(&self, core: &[Literal]) -> Vec<u32> {
+        let mut cells: Vec<u32> = core.iter().map(|&l| self.formula.cell(l)).collect();
+        cells.sort_unstable();
+        cells
     }
 }
