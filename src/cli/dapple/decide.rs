@@ -61,17 +61,15 @@ pub fn run(args: &DappleDecideArgs) -> anyhow::Result<Exit> {
         .map_err(|error| task.named(error, "--count"))?;
     match found {
         Counted::Found(tiling) => task.tell_found(&tiling, Some(count)),
+        Counted::Hopeless { core, minimal } => task.tell_impossible(&core, minimal, None, &stop),
         Counted::Impossible { reason, bound, core, minimal } => {
+            let what = format!("{} of tile {}", count.1, count.0);
             let why = match reason {
-                Reason::Search => format!("{} of tile {}: none, by search", count.1, count.0),
-                reason => format!(
-                    "{} of tile {}: none, for there are at least {} and at most {} of it ({})",
-                    count.1,
-                    count.0,
-                    bound.0,
-                    bound.1,
-                    words(reason)
-                ),
+                Reason::Search => what,
+                reason if count.1 < bound.0 => {
+                    format!("{what}; there are at least {} ({})", bound.0, words(reason))
+                }
+                reason => format!("{what}; there are at most {} ({})", bound.1, words(reason)),
             };
             task.tell_impossible(&core, minimal, Some(&why), &stop)
         }
@@ -210,7 +208,8 @@ impl Task<'_> {
                 .map(|()| Exit::No);
         }
         let head = match (core.len(), why) {
-            (0, Some(why)) => why.to_owned(),
+            (0, Some(why)) if self.filled == 0 => why.to_owned(),
+            (0, Some(why)) => format!("{why}; the given cells are not to blame"),
             (0, None) => "there is no dappled tiling of this size at all".to_owned(),
             (cells, why) => format!(
                 "{}{} of {} {} no completion{}",

@@ -25,7 +25,14 @@ const STARTS: u64 = 4;
 pub enum Counted {
     /// A completion with so many.
     Found(Field),
-    /// There is none.
+    /// There is no completion at all, as in [`Completion::Impossible`].
+    Hopeless {
+        /// Filled cells that are to blame.
+        core: Vec<u32>,
+        /// Without any one of them there would be a completion: proved for each.
+        minimal: bool,
+    },
+    /// There is none with so many.
     Impossible {
         /// Why; for all reasons but a search, the bound that was missed.
         reason: Reason,
@@ -33,7 +40,7 @@ pub enum Counted {
         bound: (u32, u32),
         /// Filled cells that are to blame, as in [`Completion::Impossible`].
         core: Vec<u32>,
-        /// Without any one of them there would be a completion: proved for each.
+        /// Without any one of them there would be a completion with so many: proved for each.
         minimal: bool,
     },
     /// Stopped, or given up, before the answer was known.
@@ -69,7 +76,7 @@ pub fn complete_with(
         return counter.question.checked(tiling).map(Counted::Found);
     }
     if let Some((core, minimal)) = impossible {
-        return Ok(Counted::Impossible { reason: Reason::Search, bound, core, minimal });
+        return Ok(Counted::Hopeless { core, minimal });
     }
     counter.exactly(wanted, stop)
 }
