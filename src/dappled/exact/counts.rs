@@ -18,7 +18,7 @@ use rand_pcg::Pcg64;
 /// Rectangles of more cells have no formula for their numbers.
 const MOST_COUNTED: usize = 2304;
 /// First tilings that walks begin with.
-const STARTS: u64 = 4;
+const STARTS: usize = 4;
 
 /// What became of a number.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -145,14 +145,12 @@ pub fn counts(
                 Answer::Stopped => break,
             }
         }
-        for number in 0..=cells {
-            if possible[number].is_none() {
-                possible[number] = match counter.ask(&counter.equals(number), stop) {
-                    Answer::Model => Some(true),
-                    Answer::Failed(_) => Some(false),
-                    Answer::Stopped => break,
-                };
-            }
+        for (number, verdict) in possible.iter_mut().enumerate().filter(|(_, v)| v.is_none()) {
+            *verdict = match counter.ask(&counter.equals(number), stop) {
+                Answer::Model => Some(true),
+                Answer::Failed(_) => Some(false),
+                Answer::Stopped => break,
+            };
         }
     }
     // A walk has shown that the bound is reached; else the least is what is not excluded.
@@ -201,59 +199,46 @@ impl<'a> Counter<'a> {
         mut met: impl FnMut(u32, &Field),
     ) -> Result<Option<(Vec<u32>, bool)>, ExactError> {
         let (rule, partial) = (self.question.rule, self.question.partial);
-        let width = partial.width();
-        let cells = partial.cells().len();
         let mut random = Pcg64::seed_from_u64(self.seed);
         let walk = Walk::new(rule, partial, self.tile);
-        let (least, most) = (self.bounds.least.0, self.bounds.most.0);
+        let ends = [self.bounds.least.0, self.bounds.most.0];
         for start in 0..STARTS {
-            let goals = match wanted {
-                Some(wanted) => vec![wanted],
-                None => vec![if start % 2 == 0 { least } else { most }],
-            };
-            for goal in goals {
-                // As dense as is wanted, by chance, or in diagonals: those reach the ends.
-                let density = f64::from(goal) / cells as f64;
-                let diagonals = start >= 2;
-                let period = if density <= 0.5 {
-                    1.0 / density.max(1e-9)
-                } else {
-                    1.0 / (1.0 - density).max(1e-9)
-                };
-                let period = period.round().clamp(2.0, 1e6) as usize;
-                for cell in 0..cells {
-                    let on_diagonal =
-                        (cell % width + cell / width + start as usize).is_multiple_of(period);
-                    let has = match diagonals {
-                        true => on_diagonal == (density <= 0.5),
-                        false => random.random_bool(density.clamp(0.0, 1.0)),
-                    };
-                    let tile = match (has, rule.tiles() as u8) {
-                        (true, _) | (_, 1) => self.tile,
-                        (false, tiles) => (self.tile + random.random_range(1..tiles)) % tiles,
-                    };
-                    let literal = self.question.formula.holds(cell as u32, tile);
-                    (0..rule.tiles() as u8).for_each(|other| {
-                        let literal = self.question.formula.holds(cell as u32, other);
-                        if rule.tiles() != 2 {
-                            self.question.formula.solver.prefer(!literal);
-                        }
-                    });
-                    self.question.formula.solver.prefer(literal);
-                }
-                match self.question.answer(stop)? {
-                    Completion::Found(mut tiling) => {
-                        walk.towards(&mut tiling, goal, &mut random, stop, &mut met);
-                        if Some(walk.number(&tiling)) == wanted {
-                            return Ok(None);
-                        }
+            let goal = wanted.unwrap_or(ends[start % 2]);
+            let diagonals = (start >= STARTS / 2).then_some(start);
+            self.prefer(goal, diagonals, &mut random);
+            match self.question.answer(stop)? {
+                Completion::Found(mut tiling) => {
+                    walk.towards(&mut tiling, goal, &mut random, stop, &mut met);
+                    if Some(walk.number(&tiling)) == wanted {
+                        return Ok(None);
                     }
-                    Completion::Impossible { core, minimal } => return Ok(Some((core, minimal))),
-                    Completion::Stopped => return Ok(None),
                 }
+                Completion::Impossible { core, minimal } => return Ok(Some((core, minimal))),
+                Completion::Stopped => return Ok(None),
             }
         }
         Ok(None)
+    }
+
+    /// Has the solver guess about so many of the tile: by chance, or in diagonals from here on,
+    /// which is how there are fewest, or most.
+    fn prefer(&mut self, goal: u32, diagonals: Option<usize>, random: &mut Pcg64) {
+        let (partial, tiles) = (self.question.partial, self.question.rule.tiles() as u8);
+        let (width, cells) = (partial.width(), partial.cells().len());
+        let density = f64::from(goal) / cells as f64;
+        let rare = density <= 0.5;
+        let period = (1.0 / density.min(1.0 - density)).min(1e6).round() as usize;
+        for cell in 0..cells {
+            let has = match diagonals {
+                Some(from) => (cell % width + cell / width + from).is_multiple_of(period) == rare,
+                None => random.random_bool(density),
+            };
+            let guess = match has || tiles == 1 {
+                true => self.tile,
+                false => (self.tile + random.random_range(1..tiles)) % tiles,
+            };
+            self.question.prefer(cell as u32, guess);
+        }
     }
 
     /// Tells the formula of numbers, if it is not too large; whether it has been told.

@@ -11,7 +11,7 @@
 
 use super::sat::{Literal, Solver};
 use crate::dappled::{Condition, Direction, FREE, Field, Limit, Rule};
-use std::collections::HashMap;
+use std::collections::BTreeMap;
 
 /// Words that the clauses of a rule may take at most.
 const MOST_WORDS: u64 = 1 << 27;
@@ -28,8 +28,11 @@ pub(super) struct Formula {
 impl Formula {
     /// Whether the clauses of a rule are not too many.
     pub(super) fn fits(rule: &Rule) -> bool {
-        let cells = rule.width() * rule.height();
-        let mut words = cells as u64 * 4 * rule.tiles() as u64;
+        let cells = (rule.width() * rule.height()) as u64;
+        let (tiles, conditions) = (rule.tiles() as u64, rule.conditions().len() as u64);
+        // Tiles and the sets that they bring along, and pairs of sets.
+        let sets = if tiles == 2 { 0 } else { conditions * (4 * tiles + 4 * conditions) };
+        let mut words = cells * (4 * tiles + sets);
         for Condition { direction, limit, .. } in rule.conditions() {
             let line = match direction {
                 Direction::Horizontal => rule.width() as u64,
@@ -38,7 +41,7 @@ impl Formula {
             let window = |limit: u32| 6 + line.min(u64::from(limit) + 1);
             words += match limit {
                 Limit::None => 0,
-                Limit::Same(limit) => cells as u64 * window(*limit),
+                Limit::Same(limit) => cells * window(*limit),
                 Limit::Map(map) => map.iter().map(|&limit| window(limit)).sum(),
             };
         }
@@ -55,7 +58,7 @@ impl Formula {
             formula.solver.variable();
         });
         let everything = u64::MAX >> (64 - tiles);
-        let mut sets: HashMap<u64, u32> = HashMap::new();
+        let mut sets: BTreeMap<u64, u32> = BTreeMap::new();
         if tiles != 2 {
             for cell in 0..cells as u32 {
                 let some: Vec<Literal> =
@@ -66,6 +69,16 @@ impl Formula {
                 let set = condition.set;
                 if set.count_ones() > 1 && set != everything && !sets.contains_key(&set) {
                     sets.insert(set, formula.together(set));
+                }
+            }
+        }
+        // Two sets that have all tiles between them: one of them is there. That follows, but not
+        // by drawing conclusions from single clauses.
+        for (&set, &first) in &sets {
+            for (_, &other) in sets.range(..set).filter(|(other, _)| *other | set == everything) {
+                for cell in 0..cells as u32 {
+                    let either = [first + cell, other + cell].map(|v| Literal::new(v, true));
+                    formula.solver.add(&either);
                 }
             }
         }

@@ -1,8 +1,8 @@
 //! Exact answers: can these cells be completed to a dappled tiling?
 //!
-//! A rule is a formula ([`encode`]), a partial tiling assumes some of its literals, and a solver
+//! A rule is a formula (`encode`), a partial tiling assumes some of its literals, and a solver
 //! ([`sat`]) finds a completion or proves that there is none. When there is none, the cells to blame
-//! are told: first those that the proof used, then fewer and fewer ([`shrink`]), until none can be
+//! are told: first those that the proof used, then fewer and fewer (`shrink`), until none can be
 //! left out.
 //!
 //! What is found is checked from the definition before it is given out.
@@ -125,15 +125,26 @@ impl<'a> Question<'a> {
         if !Formula::fits(rule) {
             return Err(ExactError::Large(found.0, found.1));
         }
-        let mut formula = Formula::new(rule, Solver::new(0));
-        let mut random = Pcg64::seed_from_u64(seed);
-        for cell in 0..(found.0 * found.1) as u32 {
-            let tile = random.random_range(0..tiles as u8);
-            let literal = formula.holds(cell, tile);
-            formula.solver.prefer(literal);
-        }
+        let formula = Formula::new(rule, Solver::new(0));
         let given = formula.given(partial);
-        Ok(Self { rule, partial, formula, given })
+        let mut question = Self { rule, partial, formula, given };
+        let mut random = Pcg64::seed_from_u64(seed);
+        for cell in 0..partial.cells().len() as u32 {
+            question.prefer(cell, random.random_range(0..tiles as u8));
+        }
+        Ok(question)
+    }
+
+    /// Has the solver guess this tile in a cell first.
+    fn prefer(&mut self, cell: u32, tile: u8) {
+        for other in 0..self.rule.tiles() as u8 {
+            let literal = self.formula.holds(cell, other);
+            if other != tile {
+                self.formula.solver.prefer(!literal);
+            }
+        }
+        let literal = self.formula.holds(cell, tile);
+        self.formula.solver.prefer(literal);
     }
 
     fn answer(&mut self, stop: &dyn Stop) -> Result<Completion, ExactError> {

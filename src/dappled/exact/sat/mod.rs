@@ -3,8 +3,8 @@
 //! The search guesses values, draws the conclusions that single clauses force, and learns from
 //! every contradiction a clause that would have avoided it: *conflict-driven clause learning*
 //! (Marques-Silva and Sakallah 1996; Moskewicz et al. 2001; Eén and Sörensson 2003). Each clause is
-//! looked at only when one of its first two literals becomes false ([`clauses`]); guesses go to
-//! variables that took part in conflicts lately ([`heap`]), with the value that they had before;
+//! looked at only when one of its first two literals becomes false (`clauses`); guesses go to
+//! variables that took part in conflicts lately (`heap`), with the value that they had before;
 //! the search begins again in the rhythm of Luby's sequence, and forgets what was of little use.
 //!
 //! Some literals may be *assumed* for one question; when they contradict the formula, the answer
