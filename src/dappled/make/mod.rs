@@ -1,9 +1,11 @@
-//! Any field made into a dappled tiling, in one pass.
+//! Any field made into a dappled tiling, in one pass where that can be.
 //!
 //! * [`scheme`] says which algorithm a rule allows;
 //! * [`pair`] is Algorithm 1 for two labels, [`greedy`] the simpler one for more, both on [`lines`]
 //!   that count how tiles repeat, in an order of [`schedule`];
 //! * [`cyclic`] is Algorithm 2, for edges that meet;
+//! * [`repair`] is exact: for edges that meet where Algorithm 2 has nothing to say, for limits of 1,
+//!   for sets that overlap;
 //! * [`start`] fills what is free.
 //!
 //! A tiling that is dappled comes back as it is.
@@ -12,11 +14,14 @@ pub mod cyclic;
 pub mod greedy;
 pub mod lines;
 pub mod pair;
+pub mod repair;
 pub mod schedule;
 pub mod scheme;
 pub mod start;
 
-use super::{Edges, Field, Limit, Rule};
+use super::exact::{Completion, ExactError};
+use super::{Edges, Field, Limit, Rule, faults};
+use crate::search::Stop;
 use greedy::Pass;
 use lines::{Runs, Shared};
 use pair::{Bounds, Pair, Same};
@@ -52,6 +57,66 @@ pub enum How {
     Greedy,
     /// Algorithm 2.
     Cyclic,
+    /// A pass, and what was left to do exactly.
+    Repaired,
+    /// Two dappled words, one along the rows and one along the columns.
+    Words,
+}
+
+/// What became of a field.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Made {
+    /// A tiling.
+    Tiling(Field, How),
+    /// No field of this size is dappled: proved.
+    Impossible,
+    /// Stopped before the answer was known.
+    Stopped,
+}
+
+/// Changes a field without free cells into a dappled tiling.
+///
+/// # Errors
+/// A field for which there is no algorithm in one pass and that is too large for an exact answer.
+pub fn make(
+    rule: &Rule,
+    start: Field,
+    options: Options,
+    stop: &dyn Stop,
+) -> Result<Made, ExactError> {
+    // In one pass, free edges: a dappled field comes back anyway.
+    if rule.edges() != Edges::Free && faults::is_faultless(rule, &start) {
+        return Ok(Made::Tiling(start, How::Unchanged));
+    }
+    let (field, how, sure) = pass(rule, start, options);
+    if sure || faults::is_faultless(rule, &field) {
+        return Ok(Made::Tiling(field, how));
+    }
+    match repair::repair(rule, field, stop) {
+        Ok(Completion::Found(field)) => Ok(Made::Tiling(field, How::Repaired)),
+        Ok(Completion::Impossible { .. }) => Ok(Made::Impossible),
+        answer => match (words(rule), answer) {
+            (Some(field), _) => Ok(Made::Tiling(field, How::Words)),
+            (None, Err(error)) => Err(error),
+            (None, _) => Ok(Made::Stopped),
+        },
+    }
+}
+
+/// A tiling for edges that meet, two classes, and limits from 2 on: `f(i, j) = u(i) xor v(j)` of
+/// two words in which, in a circle, no label stands more than twice. There are none of length 1.
+fn words(rule: &Rule) -> Option<Field> {
+    let Scheme::Pair(classes) = scheme::scheme(rule) else {
+        return None;
+    };
+    let (width, height) = (rule.width(), rule.height());
+    // 0101.. or, for an odd length, 00101..
+    let word = |length: usize, at: usize| (at + 1 - length % 2 * usize::from(at > 0)) % 2;
+    let cells = (0..width * height).map(|cell| {
+        let label = word(width, cell % width) ^ word(height, cell / width) ^ 1;
+        classes.sets[label & 1].trailing_zeros() as u8
+    });
+    Some(Field::of(width, height, cells.collect())).filter(|field| faults::is_faultless(rule, field))
 }
 
 /// One pass of the algorithm that a rule allows, from a field without free cells; and whether the
