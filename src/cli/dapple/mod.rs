@@ -2,6 +2,7 @@
 //! they have in common, [`write`] puts tilings out.
 
 pub mod check;
+pub mod make;
 mod rule;
 mod write;
 
@@ -14,6 +15,7 @@ use super::exit::Exit;
 /// Bad input, or files that cannot be written.
 pub fn run(command: &DappleCommand) -> anyhow::Result<Exit> {
     match command {
+        DappleCommand::Make(args) => make::run(args),
         DappleCommand::Check(args) => check::run(args),
     }
 }

@@ -1,7 +1,9 @@
 //! The options of the commands about dappled tilings.
 
+mod make;
 mod rule;
 
+pub use make::{DappleMakeArgs, OrderArg, StartArg};
 pub use rule::{DappleCheckArgs, RuleArgs};
 
 use super::super::help;
@@ -10,6 +12,9 @@ use clap::Subcommand;
 /// What to do with dappled tilings.
 #[derive(Debug, Clone, Subcommand)]
 pub enum DappleCommand {
+    /// Make a tiling, of a field that is given or of a random one
+    #[command(after_help = help::DAPPLE_MAKE)]
+    Make(DappleMakeArgs),
     /// Check a tiling from the definition
     #[command(after_help = help::DAPPLE_CHECK)]
     Check(DappleCheckArgs),
