@@ -40,3 +40,29 @@ Exit codes: 0 dappled, 1 not, or not complete.
 
 JSON fields (--json): result (dappled or not-dappled), width, height, free, error (null, or the first \
 run that is too long).";
+
+/// Examples for `brick`.
+pub const BRICK: &str = "\
+In every tile one joint goes straight through and two others end at it, beside each other: T-joints, \
+no crosses, and a brick around every corner of the grid. Labels 0 and 1 say where a joint goes from \
+west to east or from north to south; without --labels they are made dappled, so that no joint is \
+long. With three positions or more every boundary goes on into a wall, where lines are not too short; \
+without limits (inf,inf) and for regions a linear algorithm decides it.
+
+Examples:
+  tilepack brick --size 24x16 -o wall.svg
+  tilepack brick --size 12x12 --limits 3,2 --cyclic -o wall.txt; tilepack verify wall.txt
+  tilepack dapple make --size 20x10 -o labels.txt; tilepack brick --labels labels.txt -o wall.png
+  tilepack brick --size 3x3 --positions 3 --count
+
+  tilepack brick --positions 3 --set-out bricks.json --tiles-out bricks
+  tilepack find --set bricks.json -o packing.json
+  tilepack atlas packing.json --fill bricks -o atlas.png --check
+  tilepack brick --positions 3 --size 16x16 --cyclic -o map.txt
+  tilepack export packing.json --to glsl-es-300 --coloring map:map.txt -o wall.glsl
+
+Exit codes: 0 built or counted, 1 there is no such wall, 75 stopped, or no labels were found that do.
+
+JSON fields (--json): result (built, counted, none or stopped), method, width, height, positions, \
+set_size (how many brick Wang tiles there are), seed, file, set_file, tiles_file, tiles (without -o; \
+their numbers by row); walls (--count, a string of digits); reason where there is none.";

@@ -116,7 +116,8 @@ fn words(rule: &Rule) -> Option<Field> {
         let label = word(width, cell % width) ^ word(height, cell / width) ^ 1;
         classes.sets[label & 1].trailing_zeros() as u8
     });
-    Some(Field::of(width, height, cells.collect())).filter(|field| faults::is_faultless(rule, field))
+    Some(Field::of(width, height, cells.collect()))
+        .filter(|field| faults::is_faultless(rule, field))
 }
 
 /// One pass of the algorithm that a rule allows, from a field without free cells; and whether the
@@ -185,7 +186,8 @@ impl Bounds for Mapped<'_> {
 /// Algorithm 1 on labels 0 and 1.
 fn pair(mut labels: Field, classes: &Classes, order: Order) -> Field {
     let shared = Shared::new(&labels);
-    let same = |limits: [&Limit; 2]| Same(limits.map(|limit| limit.at(0).map_or(u64::MAX, u64::from)));
+    let same =
+        |limits: [&Limit; 2]| Same(limits.map(|limit| limit.at(0).map_or(u64::MAX, u64::from)));
     match classes.uniform_from(2) {
         true => run_pair(&shared, same(classes.horizontal), same(classes.vertical), order),
         false => run_pair(&shared, Mapped(classes.horizontal), Mapped(classes.vertical), order),

@@ -122,7 +122,11 @@ mod tests {
     /// All cells once, and those that touch the same columns of near weights in the order of `rank`.
     fn check<R: Ord>(size: (usize, usize), wave: bool, rank: impl Fn(usize, usize) -> R) {
         let seen = Seen(Mutex::new(Vec::new()));
-        if wave { wavefront(size, &seen) } else { diagonal(size, &seen) }
+        if wave {
+            wavefront(size, &seen)
+        } else {
+            diagonal(size, &seen)
+        }
         let seen = seen.0.into_inner().unwrap();
         let mut turn = vec![usize::MAX; size.0 * size.1];
         for (at, &(column, row)) in seen.iter().enumerate() {
@@ -140,7 +144,9 @@ mod tests {
                     let before = turn[row * size.0 + other] < turn[j * size.0 + i];
                     let apart = weight == i + j && i.abs_diff(other) == 2 && wave;
                     assert!(
-                        apart || (other, row) == (i, j) || before == (rank(other, row) < rank(i, j)),
+                        apart
+                            || (other, row) == (i, j)
+                            || before == (rank(other, row) < rank(i, j)),
                         "{other}, {row} and {i}, {j}"
                     );
                 }

@@ -92,18 +92,14 @@ pub fn scheme(rule: &Rule) -> Scheme<'_> {
         }
         layers
     };
-    let greedy = Greedy {
-        horizontal: layers(Direction::Horizontal),
-        vertical: layers(Direction::Vertical),
-    };
+    let greedy =
+        Greedy { horizontal: layers(Direction::Horizontal), vertical: layers(Direction::Vertical) };
     let union = |layers: &[Layer], tile: usize| {
         let of = |layer: &Layer| layer.sets.get(usize::from(layer.set_of[tile])).copied();
         layers.iter().filter_map(of).fold(0, |union, set| union | set)
     };
     let tiles = rule.tiles();
-    let anew = |(x, y)| {
-        union(&greedy.horizontal, x) | union(&greedy.vertical, y) != all(tiles)
-    };
+    let anew = |(x, y)| union(&greedy.horizontal, x) | union(&greedy.vertical, y) != all(tiles);
     match (0..tiles).flat_map(|x| (0..tiles).map(move |y| (x, y))).all(anew) {
         true => Scheme::Greedy(greedy),
         false => Scheme::Neither(greedy),
