@@ -6,6 +6,7 @@
 mod aperiodic;
 mod atlas;
 mod board;
+mod brick;
 mod cube;
 mod dapple;
 mod export;
@@ -22,8 +23,11 @@ pub use aperiodic::{
 };
 pub use atlas::{ArrangeArg, AtlasArgs, ChannelsArg, GutterArg, LintArgs, TilePictureArgs};
 pub use board::BoardArgs;
+pub use brick::BrickArgs;
 pub use cube::{CubeArgs, CubeKindArg};
-pub use dapple::{DappleCheckArgs, DappleCommand, DappleDecideArgs, RuleArgs};
+pub use dapple::{
+    DappleCheckArgs, DappleCommand, DappleDecideArgs, DappleMakeArgs, OrderArg, RuleArgs, StartArg,
+};
 pub use export::{ExportCnfArgs, ExportOut, ExportXccArgs};
 pub use find::{FindArgs, FirstRow, Method, ValueOrder};
 pub use formats::{ExportArgs, ImportArgs, To};
@@ -107,6 +111,9 @@ pub enum Command {
     /// Make, count, complete and check tilings in which nothing repeats for too long
     #[command(after_help = help::DAPPLE, subcommand, disable_help_subcommand = true)]
     Dapple(DappleCommand),
+    /// Build a brick wall of Wang tiles: joints meet, but never cross
+    #[command(after_help = help::BRICK)]
+    Brick(BrickArgs),
     /// Read a tile set of the map editor Tiled, so that it can be packed
     #[command(after_help = help::IMPORT)]
     Import(ImportArgs),

@@ -6,7 +6,7 @@
 //!   [`portfolio`], whichever it is told to or [`choose`]s), [`locate`], [`tile`] (of a [`tiling`]),
 //!   [`count`] (also by [`formula`]), [`list`], [`estimate`], [`export`] (for other solvers),
 //!   [`atlas`] and [`lint`] (textures, of [`tile_pictures`]), [`formats`] (for other programs, of
-//!   which [`export_shader`] writes shaders) and [`import`], [`mod@aperiodic`], [`mod@dapple`], [`resume`], [`plan`], [`part`] (the
+//!   which [`export_shader`] writes shaders) and [`import`], [`mod@aperiodic`], [`mod@dapple`], [`brick`], [`resume`], [`plan`], [`part`] (the
 //!   command `run`), [`merge`], [`cluster`] (job
 //!   files), [`verify`] (with [`recursive`]), [`show`], [`sets`], [`cube`], [`walk`]; [`ring`] is the option
 //!   `--ring` of two of them.
@@ -24,6 +24,7 @@ pub mod args;
 pub mod atlas;
 pub mod beam;
 mod board;
+pub mod brick;
 pub mod choose;
 pub mod cluster;
 pub mod construct;
@@ -107,6 +108,7 @@ pub fn run() -> Exit {
         Command::Export(args) => formats::run(args),
         Command::Aperiodic(command) => aperiodic::run(command),
         Command::Dapple(command) => dapple::run(command),
+        Command::Brick(args) => brick::run(args),
         Command::Import(args) => import::run(args),
         Command::Verify(args) => verify::run(args),
         Command::Show(args) => show::run(args),

@@ -70,6 +70,12 @@ impl Field {
         }
     }
 
+    /// As [`Field::new`], of cells that are known to make the rectangle.
+    pub(super) fn of(width: usize, height: usize, cells: Vec<u8>) -> Self {
+        debug_assert_eq!(cells.len(), width * height);
+        Self { width, height, cells }
+    }
+
     /// Columns.
     pub fn width(&self) -> usize {
         self.width
@@ -98,6 +104,11 @@ impl Field {
     /// All cells, to be changed.
     pub fn cells_mut(&mut self) -> &mut [u8] {
         &mut self.cells
+    }
+
+    /// All cells, taken out.
+    pub fn into_cells(self) -> Vec<u8> {
+        self.cells
     }
 
     /// The rows, from the north.

@@ -6,7 +6,10 @@
 //! than so many side by side*. A [`Rule`] holds them for a rectangle whose edges are free or meet.
 //!
 //! * [`Field`] is a tiling, or part of one; [`Rule`] what it must keep, and the obvious check;
+//! * [`brick`] are walls, tiles of which are laid by such tilings;
 //! * [`exact`] completes partial tilings, or proves that they have no completion;
+//! * [`faults`] finds all that a field breaks, fast;
+//! * [`make()`](make::make) changes any field into a tiling, in time that grows with its cells alone;
 //! * [`notation`] reads limits, fields and maps of limits from text.
 //!
 //! **Where things are**: columns count from the west, rows from the north, both from 0.
@@ -16,8 +19,11 @@
 //!
 //! Source: Kaji, Derouet-Jourdan, Ochiai, *Dappled tiling*, 2016.
 
+pub mod brick;
 pub mod exact;
+pub mod faults;
 mod field;
+pub mod make;
 pub mod notation;
 mod rule;
 

@@ -2,16 +2,19 @@
 //!
 //! * [`Marks`]: the colors drawn plainly, for looking;
 //! * [`Noise`]: random texels inside, for tests: nothing but the common strip agrees;
-//! * [`Truchet`]: curves and contours that go on from tile to tile.
+//! * [`Truchet`]: curves and contours that go on from tile to tile;
+//! * [`Bricks`]: bricks and mortar, for brick Wang tiles.
 //!
 //! All keep the *common strip*: within `strip` texels of a side the picture depends on the
 //! colors of that side alone. In the squares where two strips cross it therefore depends on the
 //! color of that corner alone (corner tiles), or on nothing (Wang tiles).
 
+mod bricks;
 mod marks;
 mod noise;
 mod truchet;
 
+pub use bricks::Bricks;
 pub use marks::Marks;
 pub use noise::Noise;
 pub use truchet::Truchet;

@@ -5,7 +5,7 @@
 //! ([`digits`]): no fonts, so that every program shows the same.
 //!
 //! * [`marks`] draws a tile: four triangles (Wang) or four quarters of discs (corner tiles);
-//! * [`sheets`] puts tiles together: preview, contact sheet, tiling.
+//! * [`sheets`] puts tiles together: preview, contact sheet, tiling; [`mod@wall`] are bricks and mortar.
 
 pub mod digits;
 pub mod marks;
@@ -13,6 +13,7 @@ pub mod path;
 pub mod raster;
 pub mod sheets;
 pub mod svg;
+pub mod wall;
 
 pub use marks::look;
 pub use path::{Command, Path, Point};

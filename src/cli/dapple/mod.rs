@@ -3,6 +3,7 @@
 
 pub mod check;
 pub mod decide;
+pub mod make;
 mod rule;
 mod write;
 
@@ -15,6 +16,7 @@ use super::exit::Exit;
 /// Bad input, or files that cannot be written.
 pub fn run(command: &DappleCommand) -> anyhow::Result<Exit> {
     match command {
+        DappleCommand::Make(args) => make::run(args),
         DappleCommand::Check(args) => check::run(args),
         DappleCommand::Decide(args) => decide::run(args),
     }

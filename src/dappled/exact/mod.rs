@@ -3,13 +3,14 @@
 //! A rule is a formula (`encode`), a partial tiling assumes some of its literals, and a solver
 //! ([`sat`]) finds a completion or proves that there is none. When there is none, the cells to blame
 //! are told: first those that the proof used, then fewer and fewer (`shrink`), until none can be
-//! left out.
+//! left out. [`complete_near`] looks for a completion near another tiling instead, and blames nobody.
 //!
 //! What is found is checked from the definition before it is given out.
 
 mod bound;
 mod counts;
 mod encode;
+mod near;
 mod pack;
 mod proof;
 pub mod sat;
@@ -24,6 +25,7 @@ pub use proof::{Proof, proof};
 use super::{FREE, Field, Rule};
 use crate::search::Stop;
 use encode::Formula;
+pub use near::complete_near;
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64;
 use sat::{Answer, Literal, Solver};

@@ -1,9 +1,11 @@
 //! The options of the commands about dappled tilings.
 
 mod decide;
+mod make;
 mod rule;
 
 pub use decide::DappleDecideArgs;
+pub use make::{DappleMakeArgs, OrderArg, StartArg};
 pub use rule::{DappleCheckArgs, RuleArgs};
 
 use super::super::help;
@@ -12,6 +14,9 @@ use clap::Subcommand;
 /// What to do with dappled tilings.
 #[derive(Debug, Clone, Subcommand)]
 pub enum DappleCommand {
+    /// Make a tiling, of a field that is given or of a random one
+    #[command(after_help = help::DAPPLE_MAKE)]
+    Make(DappleMakeArgs),
     /// Check a tiling from the definition
     #[command(after_help = help::DAPPLE_CHECK)]
     Check(DappleCheckArgs),
