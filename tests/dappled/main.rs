@@ -1,0 +1,8 @@
+//! Dappled tilings: counted, made, decided, checked.
+
+#![allow(clippy::unwrap_used, clippy::panic)]
+
+mod count;
+mod oracle;
+mod sample;
+mod tables;
