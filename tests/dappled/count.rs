@@ -47,7 +47,10 @@ fn the_same_limits_for_all() {
                     let rule = Rule::uniform((width, height), 2, edges, across, down).unwrap();
                     agrees(&rule, None);
                     if width * height <= 6 {
-                        agrees(&Rule::uniform((width, height), 3, edges, across, down).unwrap(), None);
+                        agrees(
+                            &Rule::uniform((width, height), 3, edges, across, down).unwrap(),
+                            None,
+                        );
                     }
                 }
             }
@@ -86,7 +89,11 @@ fn rules_and_cells_at_random() {
                 _ => Limit::Same(1 + random.below(6) as u32),
             };
             let direction = [Direction::Horizontal, Direction::Vertical][random.below(2) as usize];
-            conditions.push(Condition { set: 1 + random.below((1 << tiles) - 1), direction, limit });
+            conditions.push(Condition {
+                set: 1 + random.below((1 << tiles) - 1),
+                direction,
+                limit,
+            });
         }
         let edges = EDGES[random.below(3) as usize];
         let rule = Rule::new((width, height), tiles, edges, conditions).unwrap();
@@ -175,7 +182,10 @@ fn wide_fields_that_are_nearly_full() {
     let rule = Rule::uniform((60, 40), 2, Edges::Free, Some(2), Some(2)).unwrap();
     let cell = |at: usize| ((at % 60 / 2 + at / 60) % 2) as u8;
     let mut cells: Vec<u8> = (0..2400).map(cell).collect();
-    assert_eq!(count(&rule, Some(&Field::new(60, 40, cells.clone()).unwrap())).unwrap(), 1u32.into());
+    assert_eq!(
+        count(&rule, Some(&Field::new(60, 40, cells.clone()).unwrap())).unwrap(),
+        1u32.into()
+    );
     for at in [0, 59, 1234, 2399] {
         cells[at] = FREE;
     }

@@ -2,7 +2,11 @@
 //! they have in common, [`write`] puts tilings out.
 
 pub mod check;
+pub mod count;
+mod job;
 mod rule;
+pub mod sample;
+mod saving;
 mod write;
 
 use super::args::DappleCommand;
@@ -15,5 +19,7 @@ use super::exit::Exit;
 pub fn run(command: &DappleCommand) -> anyhow::Result<Exit> {
     match command {
         DappleCommand::Check(args) => check::run(args),
+        DappleCommand::Count(args) => count::run(args),
+        DappleCommand::Sample(args) => sample::run(args),
     }
 }

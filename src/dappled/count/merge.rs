@@ -63,10 +63,14 @@ impl Step {
             _ => threads * PARTS,
         };
         // The leads, chunk by chunk.
-        let ranges: Vec<Vec<(usize, usize)>> = from.chunks.iter().map(|chunk| {
-            let from = |lead| chunk.states.partition_point(|&state| self.lead(state) < lead);
-            (0..self.leads()).map(|lead| (from(lead), from(lead + 1))).collect()
-        }).collect();
+        let ranges: Vec<Vec<(usize, usize)>> = from
+            .chunks
+            .iter()
+            .map(|chunk| {
+                let from = |lead| chunk.states.partition_point(|&state| self.lead(state) < lead);
+                (0..self.leads()).map(|lead| (from(lead), from(lead + 1))).collect()
+            })
+            .collect();
         let bounds = self.bounds(from, &ranges, parts);
         let mut spare = spare.chunks;
         spare.resize_with(bounds.len() - 1, Chunk::default);
@@ -79,7 +83,8 @@ impl Step {
             chunk.numbers.clear();
             let runs = (0..self.leads()).map(|lead| self.run(from, &ranges, lead, low, high));
             let runs: Vec<Run<'_>> = runs.collect();
-            let most: usize = runs.iter().map(|run| run.parts.iter().map(|p| p.0.len()).sum::<usize>()).sum();
+            let most: usize =
+                runs.iter().map(|run| run.parts.iter().map(|p| p.0.len()).sum::<usize>()).sum();
             if chunk.states.capacity() == 0 {
                 chunk.states.reserve_exact(most + most / 3);
                 chunk.numbers.reserve_exact((most + most / 3) * stride);

@@ -96,6 +96,8 @@ enum Work {
     Once(Box<Sweep>),
     /// Columns that do.
     Turns(Box<Turns>),
+    /// One that is done, read again: the numbers.
+    Done(Vec<BigUint>),
 }
 
 /// Starts, one after the other.
@@ -146,6 +148,7 @@ impl Counting {
                 within(self.memory, sweep.bytes())
             }
             Work::Turns(turns) => turns.step(self.memory),
+            Work::Done(_) => Ok(()),
         }
     }
 
@@ -154,6 +157,7 @@ impl Counting {
         match &self.work {
             Work::Once(sweep) => (sweep.done(), sweep.steps()),
             Work::Turns(turns) => (turns.done, turns.starts.len()),
+            Work::Done(_) => (1, 1),
         }
     }
 
@@ -168,6 +172,7 @@ impl Counting {
         match &self.work {
             Work::Once(sweep) => sweep.table().len(),
             Work::Turns(turns) => turns.starts.len(),
+            Work::Done(_) => 0,
         }
     }
 
@@ -175,7 +180,7 @@ impl Counting {
     pub fn is_at_row(&self) -> bool {
         match &self.work {
             Work::Once(sweep) => sweep.is_at_row(),
-            Work::Turns(_) => true,
+            Work::Turns(_) | Work::Done(_) => true,
         }
     }
 
@@ -185,6 +190,7 @@ impl Counting {
         match &self.work {
             Work::Once(sweep) => sweep.numbers(),
             Work::Turns(turns) => turns.numbers.clone(),
+            Work::Done(numbers) => numbers.clone(),
         }
     }
 }

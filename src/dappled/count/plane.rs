@@ -83,9 +83,8 @@ impl Plane {
 
     /// Whether all rows are alike, and all columns: no cells given, no maps of limits.
     pub(super) fn is_even(&self) -> bool {
-        let free = self.given.as_ref().is_none_or(|field| {
-            field.cells().iter().all(|&tile| tile == FREE)
-        });
+        let free =
+            self.given.as_ref().is_none_or(|field| field.cells().iter().all(|&tile| tile == FREE));
         let mapped = |limit: &Limit| matches!(limit, Limit::Map(_));
         free && !self.rule.conditions().iter().any(|condition| mapped(&condition.limit))
     }

@@ -15,7 +15,8 @@ use super::turns::{self, Image, Start};
 use super::{CountError, within};
 use crate::dappled::{FREE, Field, Rule};
 use num_bigint::BigUint;
-use rand::Rng;
+use rand::{Rng, SeedableRng};
+use rand_pcg::Pcg64;
 
 /// Tilings by number.
 #[derive(Debug)]
@@ -82,15 +83,18 @@ impl Sampler {
         &self.total
     }
 
-    /// So many random tilings, each independent of the others; none if there are none at all.
+    /// So many random tilings, each independent of the others, and the same for the same seed; none
+    /// if there are none at all.
     ///
     /// # Errors
     /// More memory than there may be.
-    pub fn draw(&self, count: usize, random: &mut impl Rng) -> Result<Vec<Field>, CountError> {
+    pub fn draw(&self, count: usize, seed: u64) -> Result<Vec<Field>, CountError> {
         if self.total == BigUint::ZERO {
             return Ok(Vec::new());
         }
-        let numbers: Vec<BigUint> = (0..count).map(|_| below(&self.total, random)).collect();
+        let mut random = Pcg64::seed_from_u64(seed);
+        let numbers = (0..count).map(|_| below(&self.total, &mut random));
+        let numbers: Vec<BigUint> = numbers.collect();
         self.tilings(&numbers)
     }
 
@@ -187,7 +191,8 @@ fn below(bound: &BigUint, random: &mut impl Rng) -> BigUint {
 
 impl Kept {
     fn new(sweep: Sweep, memory: usize) -> Result<Self, CountError> {
-        let mut kept = Self { sweep: sweep.clone(), gap: 1, tables: Vec::new(), total: BigUint::ZERO };
+        let mut kept =
+            Self { sweep: sweep.clone(), gap: 1, tables: Vec::new(), total: BigUint::ZERO };
         let (mut sweep, mut row, mut bytes) = (sweep, 0, 0);
         while !sweep.is_done() {
             if sweep.is_at_row() {

@@ -1,8 +1,9 @@
 //! A count as bytes, so that it can be gone on with.
 //!
 //! Words of 64 bits, little-endian: `0`, steps done, limbs, counts, the limbs on top, states in all,
-//! then blocks of states and their limbs; or `1`, starts done, and for each count the number of its
-//! limbs and these. What the count is of is not in it.
+//! then blocks of states and their limbs; or `1`, starts done, counts, and for each count the number
+//! of its limbs and these; or, for one that is done, the same with `2`. What the count is of is not in
+//! it.
 
 use super::table::{Chunk, Table, number_of};
 use super::{Counting, Work};
@@ -38,15 +39,45 @@ fn wrong(what: &str) -> io::Error {
     io::Error::new(io::ErrorKind::InvalidData, what.to_owned())
 }
 
+/// Counts at most: one more than cells.
+const MOST_COUNTS: u64 = 1 << 31;
+
+fn numbers_bytes(numbers: &[BigUint]) -> u64 {
+    let limbs = numbers.iter().map(|number| 8 + 8 * number.iter_u64_digits().len() as u64);
+    24 + limbs.sum::<u64>()
+}
+
+fn write_numbers(out: &mut dyn Write, head: [u64; 2], numbers: &[BigUint]) -> io::Result<()> {
+    write_words(out, &[head[0], head[1], numbers.len() as u64])?;
+    for number in numbers {
+        let limbs: Vec<u64> = number.iter_u64_digits().collect();
+        write_words(out, &[limbs.len() as u64])?;
+        write_words(out, &limbs)?;
+    }
+    Ok(())
+}
+
+fn read_numbers(input: &mut dyn Read) -> io::Result<Vec<BigUint>> {
+    let counts = read_words(input, 1)?[0];
+    if counts > MOST_COUNTS {
+        return Err(wrong("too many numbers"));
+    }
+    let mut numbers = Vec::new();
+    for _ in 0..counts {
+        let limbs = read_words(input, 1)?[0];
+        numbers.push(number_of(&read_words(input, limbs as usize)?));
+    }
+    Ok(numbers)
+}
+
 impl Counting {
     /// How many bytes [`Counting::save`] writes.
     pub fn saved_bytes(&self) -> u64 {
         match &self.work {
+            _ if self.is_done() => numbers_bytes(&self.numbers()),
             Work::Once(sweep) => (48 + sweep.standing().1.bytes()) as u64,
-            Work::Turns(turns) => {
-                let limbs = turns.numbers.iter().map(|number| 8 + 8 * number.iter_u64_digits().len());
-                16 + limbs.sum::<usize>() as u64
-            }
+            Work::Turns(turns) => numbers_bytes(&turns.numbers),
+            Work::Done(numbers) => numbers_bytes(numbers),
         }
     }
 
@@ -56,6 +87,7 @@ impl Counting {
     /// What writing reports.
     pub fn save(&self, out: &mut dyn Write) -> io::Result<()> {
         match &self.work {
+            _ if self.is_done() => write_numbers(out, [2, 0], &self.numbers()),
             Work::Once(sweep) => {
                 let (done, table) = sweep.standing();
                 let (limbs, counts) = (table.limbs as u64, table.counts as u64);
@@ -69,21 +101,15 @@ impl Counting {
                     if states.len() == BLOCK {
                         write_words(out, &states)?;
                         write_words(out, &numbers)?;
-                        (states.clear(), numbers.clear());
+                        states.clear();
+                        numbers.clear();
                     }
                 }
                 write_words(out, &states)?;
                 write_words(out, &numbers)
             }
-            Work::Turns(turns) => {
-                write_words(out, &[1, turns.done as u64])?;
-                for number in &turns.numbers {
-                    let limbs: Vec<u64> = number.iter_u64_digits().collect();
-                    write_words(out, &[limbs.len() as u64])?;
-                    write_words(out, &limbs)?;
-                }
-                Ok(())
-            }
+            Work::Turns(turns) => write_numbers(out, [1, turns.done as u64], &turns.numbers),
+            Work::Done(numbers) => write_numbers(out, [2, 0], numbers),
         }
     }
 
@@ -94,6 +120,10 @@ impl Counting {
     pub fn restore(&mut self, input: &mut dyn Read) -> io::Result<()> {
         let head = read_words(input, 2)?;
         match (&mut self.work, head[0]) {
+            (work, 2) => {
+                *work = Work::Done(read_numbers(input)?);
+                Ok(())
+            }
             (Work::Once(sweep), 0) => {
                 let table = read_table(input)?;
                 if !sweep.accepts(head[1] as usize, &table) {
@@ -103,10 +133,9 @@ impl Counting {
                 Ok(())
             }
             (Work::Turns(turns), 1) if head[1] <= turns.starts.len() as u64 => {
-                let mut numbers: Vec<BigUint> = Vec::new();
-                for _ in 0..turns.numbers.len() {
-                    let limbs = read_words(input, 1)?[0];
-                    numbers.push(number_of(&read_words(input, limbs as usize)?));
+                let numbers = read_numbers(input)?;
+                if numbers.len() != turns.numbers.len() {
+                    return Err(wrong("numbers of another count"));
                 }
                 (turns.done, turns.numbers) = (head[1] as usize, numbers);
                 Ok(())

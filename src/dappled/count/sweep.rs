@@ -141,7 +141,9 @@ impl Sweep {
 
     /// The memory of all tables.
     pub(super) fn bytes(&self) -> usize {
-        self.table.bytes() + self.spare.bytes() + self.kept.as_ref().map_or(0, |(kept, _)| kept.bytes())
+        self.table.bytes()
+            + self.spare.bytes()
+            + self.kept.as_ref().map_or(0, |(kept, _)| kept.bytes())
     }
 
     /// What to save, and how many steps lead to it. Joining halves is not saved: it is short.
