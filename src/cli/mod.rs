@@ -49,6 +49,7 @@ pub mod import;
 pub mod lint;
 pub mod list;
 pub mod locate;
+pub mod memory;
 pub mod merge;
 pub mod output;
 pub mod part;

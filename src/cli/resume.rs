@@ -8,9 +8,9 @@ use super::exit::Exit;
 use super::request::Request;
 use super::saving::Save;
 use super::session::Session;
-use super::{count, find, list};
+use super::{count, dapple, find, list};
 use crate::packing::Question;
-use crate::store::{read_checkpoint, read_job};
+use crate::store::{holds_long, read_checkpoint, read_job};
 use anyhow::{Context, bail};
 
 /// Runs the command.
@@ -18,6 +18,9 @@ use anyhow::{Context, bail};
 /// # Errors
 /// A file that is no checkpoint, or one of a search that this program does not run.
 pub fn run(args: &ResumeArgs) -> anyhow::Result<Exit> {
+    if holds_long(&args.file) {
+        return dapple::count::resume(args);
+    }
     let checkpoint = read_checkpoint(&args.file)?.checkpoint;
     let file = args.file.display();
     let job = read_job(&checkpoint.job).map_err(anyhow::Error::msg);

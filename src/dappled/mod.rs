@@ -7,6 +7,7 @@
 //!
 //! * [`Field`] is a tiling, or part of one; [`Rule`] what it must keep, and the obvious check;
 //! * [`brick`] are walls, tiles of which are laid by such tilings;
+//! * [`count`] tells how many there are, and draws them at random;
 //! * [`exact`] completes partial tilings, or proves that they have no completion;
 //! * [`faults`] finds all that a field breaks, fast;
 //! * [`make()`](make::make) changes any field into a tiling, in time that grows with its cells alone;
@@ -20,6 +21,7 @@
 //! Source: Kaji, Derouet-Jourdan, Ochiai, *Dappled tiling*, 2016.
 
 pub mod brick;
+pub mod count;
 pub mod exact;
 pub mod faults;
 mod field;

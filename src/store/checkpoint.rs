@@ -201,7 +201,7 @@ fn write_whole(file: &Path, bytes: &[u8]) -> io::Result<()> {
 
 /// Gives a complete file its name, and what had that name the name of the one before. Between
 /// the two steps there is only the one before.
-fn take_place(file: &Path, complete: &Path) -> io::Result<()> {
+pub(super) fn take_place(file: &Path, complete: &Path) -> io::Result<()> {
     match fs::rename(file, previous(file)) {
         Err(error) if error.kind() != io::ErrorKind::NotFound => return Err(error),
         _ => {}

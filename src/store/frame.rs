@@ -4,7 +4,7 @@
 //! |---|---|
 //! | 8 | `TILEPACK` |
 //! | 2 | version of the format |
-//! | 2 | kind: 1 is a checkpoint |
+//! | 2 | kind: 1 is a checkpoint, 2 the checkpoint of a count with large tables |
 //! | 8 | length of the payload |
 //! | 32 | fingerprint of the search |
 //! | … | payload |
@@ -16,17 +16,19 @@
 use super::StoreError;
 use std::path::Path;
 
-const MAGIC: &[u8; 8] = b"TILEPACK";
+pub(super) const MAGIC: &[u8; 8] = b"TILEPACK";
 /// The newest version of the format, which is written.
-const VERSION: u16 = 1;
-const HEAD: usize = 52;
-const HASH: usize = 32;
+pub(super) const VERSION: u16 = 1;
+pub(super) const HEAD: usize = 52;
+pub(super) const HASH: usize = 32;
 
 /// What a file holds.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum FrameKind {
     /// A search under way.
     Checkpoint = 1,
+    /// A count with large tables, read and written piece by piece: see [`super::long`].
+    Long = 2,
 }
 
 /// A frame that is whole.
@@ -40,14 +42,21 @@ pub(super) struct Frame<'a> {
     pub(super) payload: &'a [u8],
 }
 
-/// The bytes of a file.
-pub(super) fn write(kind: FrameKind, fingerprint: &[u8; 32], payload: &[u8]) -> Vec<u8> {
-    let mut bytes = Vec::with_capacity(HEAD + payload.len() + HASH);
+/// The bytes before the payload.
+pub(super) fn head(kind: FrameKind, fingerprint: &[u8; 32], length: u64) -> Vec<u8> {
+    let mut bytes = Vec::with_capacity(HEAD);
     bytes.extend(MAGIC);
     bytes.extend(VERSION.to_le_bytes());
     bytes.extend((kind as u16).to_le_bytes());
-    bytes.extend((payload.len() as u64).to_le_bytes());
+    bytes.extend(length.to_le_bytes());
     bytes.extend(fingerprint);
+    bytes
+}
+
+/// The bytes of a file.
+pub(super) fn write(kind: FrameKind, fingerprint: &[u8; 32], payload: &[u8]) -> Vec<u8> {
+    let mut bytes = head(kind, fingerprint, payload.len() as u64);
+    bytes.reserve_exact(payload.len() + HASH);
     bytes.extend(payload);
     let hash = blake3::hash(&bytes);
     bytes.extend(hash.as_bytes());

@@ -15,6 +15,7 @@
 //! * [`AtomicFile`] and [`check_writable`] see to it that a result is not lost;
 //! * [`Keeping`] saves a search while it runs, [`read_checkpoint`] finds it again, a [`Lock`]
 //!   keeps others away meanwhile;
+//! * [`write_long`] and [`read_long`] do so for counts whose tables should not be in memory twice;
 //! * [`SearchPlan`] and [`PartResult`] are a search in parts;
 //! * [`write_job`] puts a search in words, [`fingerprint`] identifies it.
 //!
@@ -34,6 +35,7 @@ mod json;
 mod keeping;
 mod kept;
 mod lock;
+mod long;
 mod pins;
 mod pins_on_board;
 mod plan;
@@ -55,6 +57,7 @@ pub use job::{fingerprint, read_job, write_job};
 pub use keeping::{Keeping, Report, Writer, Written};
 pub use kept::{Extent, Kept};
 pub use lock::Lock;
+pub use long::{OpenedLong, holds_long, read_long, write_long};
 pub use pins::read_pins;
 pub use pins_on_board::read_pins_on_board;
 pub use plan::{MAX_PARTS, PartFiles, PartResult, SearchPlan};

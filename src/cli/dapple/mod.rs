@@ -2,9 +2,13 @@
 //! they have in common, `write` puts tilings out.
 
 pub mod check;
+pub mod count;
 pub mod decide;
+mod job;
 pub mod make;
 mod rule;
+pub mod sample;
+mod saving;
 mod write;
 
 use super::args::DappleCommand;
@@ -19,5 +23,7 @@ pub fn run(command: &DappleCommand) -> anyhow::Result<Exit> {
         DappleCommand::Make(args) => make::run(args),
         DappleCommand::Check(args) => check::run(args),
         DappleCommand::Decide(args) => decide::run(args),
+        DappleCommand::Count(args) => count::run(args),
+        DappleCommand::Sample(args) => sample::run(args),
     }
 }

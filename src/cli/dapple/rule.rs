@@ -6,8 +6,9 @@ use crate::atlas::open_png;
 use crate::cli::args::RuleArgs;
 use crate::cli::source;
 use crate::dappled::notation;
-use crate::dappled::{Edges, Field, Rule};
-use anyhow::{Context, anyhow};
+use crate::dappled::{Edges, Field, MOST_CELLS, Rule};
+use crate::torus::Shape;
+use anyhow::{Context, anyhow, ensure};
 use std::path::Path;
 
 /// What a tiling of this size, columns first, keeps.
@@ -45,4 +46,27 @@ pub(super) fn field(file: &Path, tiles: u8) -> anyhow::Result<Field> {
     let input = source::open(file)?;
     notation::field(input.text(), tiles)
         .map_err(|error| anyhow!("{}:{error}", input.file().display()))
+}
+
+/// A rule for a size asked for, and the cells given for it.
+///
+/// # Errors
+/// As [`rule`] and [`field`]; a field of another size.
+pub(super) fn problem(
+    size: &str,
+    args: &RuleArgs,
+    given: Option<&Path>,
+) -> anyhow::Result<(Rule, Option<Field>)> {
+    let shape: Shape = size.parse().context("--size")?;
+    let size = (shape.width(), shape.height());
+    ensure!(shape.cells() <= MOST_CELLS, "--size {shape}: expected at most {MOST_CELLS} cells");
+    let rule = rule(args, size)?;
+    let given = given.map(|file| {
+        let given = field(file, args.tiles)?;
+        let found = (given.width(), given.height());
+        let name = file.display();
+        ensure!(found == size, "{name}: {}x{} cells, expected {shape}", found.0, found.1);
+        Ok(given)
+    });
+    Ok((rule, given.transpose()?))
 }

@@ -7,6 +7,8 @@ A tiling is dappled when no tile stands more than H times in a row or V times in
 for each tile.
 
 Examples:
+  tilepack dapple count --size 8x8
+  tilepack dapple sample --size 8x8 --seed 1
   tilepack dapple make --size 32x16 -o tiling.txt; tilepack dapple check tiling.txt
   tilepack dapple make --size 64x64 --limits 3,5 --cyclic -o tiling.png";
 
@@ -61,6 +63,43 @@ JSON fields (--json): result (found, impossible, stopped), width, height, given,
 (rows, null with -o), file; impossible: reason (of --count), core (rows, null for a free cell), \
 core_cells (column, row), minimal. --counts: result (complete, none, stopped), tile, possible and \
 undecided (first and last of each range), fewer and more (why there are none).";
+
+/// Examples for `dapple count`.
+pub const DAPPLE_COUNT: &str = "\
+Exact, by states of the rim: the cost grows exponentially with the shorter side (12 cells take a \
+moment, 16 a minute and 1 GiB) and linearly with the longer one.
+
+Examples:
+  tilepack dapple count --size 10x10
+  tilepack dapple count --size 6x6 --by-number
+  tilepack dapple count --size 8x6 --cyclic --limits 3,2
+  tilepack dapple count --size 6x4 --tiles 3 --limits 1,2 --limits 0+1:3,3
+  tilepack dapple count --size 12x12 --checkpoint count.checkpoint --json
+
+A count that was stopped goes on with the same command, or with tilepack resume FILE.
+
+Exit codes: 0 counted, 1 there are none, 75 stopped early.
+
+JSON fields (--json): result (counted or stopped), tilings (a number in digits, null when stopped), \
+by_number (null, or tile and numbers, a list of pairs: how often it occurs, in how many tilings), width, \
+height, tiles, edges (free, cylinder or torus), states (the most at a time, or starts on a torus), \
+seconds, stopped_by (null, signal or time-limit), checkpoint (null or the file).";
+
+/// Examples for `dapple sample`.
+pub const DAPPLE_SAMPLE: &str = "\
+Every tiling is drawn with exactly the same probability: one random number below their count says which.
+
+Examples:
+  tilepack dapple sample --size 12x12
+  tilepack dapple sample --size 8x20 --number 3 --seed 7
+  tilepack dapple sample --size 8x8 --cyclic -o tiling.png
+  tilepack dapple sample --size 6x6 --limits 3,3 --json
+
+Exit codes: 0 drawn, 1 there are none.
+
+JSON fields (--json): result (sampled or none), of (how many there are, in digits), width, height, seed, \
+tilings (each a list of rows), file (null or the file written).";
+
 /// Examples for `brick`.
 pub const BRICK: &str = "\
 In every tile one joint goes straight through and two others end at it, beside each other: T-joints, \

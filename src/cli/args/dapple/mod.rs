@@ -1,9 +1,11 @@
 //! The options of the commands about dappled tilings.
 
+mod count;
 mod decide;
 mod make;
 mod rule;
 
+pub use count::{DappleCountArgs, DappleSampleArgs};
 pub use decide::DappleDecideArgs;
 pub use make::{DappleMakeArgs, OrderArg, StartArg};
 pub use rule::{DappleCheckArgs, RuleArgs};
@@ -23,4 +25,10 @@ pub enum DappleCommand {
     /// Complete a partial tiling, or show which cells make that impossible
     #[command(after_help = help::DAPPLE_DECIDE)]
     Decide(DappleDecideArgs),
+    /// Count all dappled tilings, exactly
+    #[command(after_help = help::DAPPLE_COUNT)]
+    Count(DappleCountArgs),
+    /// Draw random dappled tilings, all equally likely
+    #[command(after_help = help::DAPPLE_SAMPLE)]
+    Sample(DappleSampleArgs),
 }
