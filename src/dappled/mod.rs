@@ -7,6 +7,7 @@
 //!
 //! * [`Field`] is a tiling, or part of one; [`Rule`] what it must keep, and the obvious check;
 //! * [`exact`] completes partial tilings, or proves that they have no completion;
+//! * [`mod@flow`] has streams wind through tilings of two tiles;
 //! * [`notation`] reads limits, fields and maps of limits from text.
 //!
 //! **Where things are**: columns count from the west, rows from the north, both from 0.
@@ -18,6 +19,7 @@
 
 pub mod exact;
 mod field;
+pub mod flow;
 pub mod notation;
 mod rule;
 

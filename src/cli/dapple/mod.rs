@@ -3,6 +3,7 @@
 
 pub mod check;
 pub mod decide;
+pub mod flow;
 mod rule;
 mod write;
 
@@ -17,5 +18,6 @@ pub fn run(command: &DappleCommand) -> anyhow::Result<Exit> {
     match command {
         DappleCommand::Check(args) => check::run(args),
         DappleCommand::Decide(args) => decide::run(args),
+        DappleCommand::Flow(args) => flow::run(args),
     }
 }

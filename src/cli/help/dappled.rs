@@ -40,3 +40,16 @@ JSON fields (--json): result (found, impossible, stopped), width, height, given,
 (rows, null with -o), file; impossible: reason (of --count), core (rows, null for a free cell), \
 core_cells (column, row), minimal. --counts: result (complete, none, stopped), tile, possible and \
 undecided (first and last of each range), fewer and more (why there are none).";
+
+/// Examples for `dapple flow`.
+pub const DAPPLE_FLOW: &str = "\
+Every row and every column is a street, by turns in both directions. Where tile 0 stands the two \
+streams cross, where tile 1 stands both turn, so that they wind through the tiling; that it is \
+dappled says how far they go straight on. At crossings every stream goes over and under in turns.
+
+Examples:
+  tilepack dapple decide --size 24x16 -o field.txt; tilepack dapple flow field.txt -o flow.svg
+  tilepack dapple flow field.txt -o flow.html
+
+JSON fields (--json): result (drawn), width, height, streams, closed, longest (cells that it goes \
+through), straight (cells at most, in a row and in a column), file.";

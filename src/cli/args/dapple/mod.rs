@@ -1,9 +1,11 @@
 //! The options of the commands about dappled tilings.
 
 mod decide;
+mod flow;
 mod rule;
 
 pub use decide::DappleDecideArgs;
+pub use flow::DappleFlowArgs;
 pub use rule::{DappleCheckArgs, RuleArgs};
 
 use super::super::help;
@@ -18,4 +20,7 @@ pub enum DappleCommand {
     /// Complete a partial tiling, or show which cells make that impossible
     #[command(after_help = help::DAPPLE_DECIDE)]
     Decide(DappleDecideArgs),
+    /// Draw streams through a tiling by two tiles
+    #[command(after_help = help::DAPPLE_FLOW)]
+    Flow(DappleFlowArgs),
 }
