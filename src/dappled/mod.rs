@@ -11,6 +11,7 @@
 //! * [`exact`] completes partial tilings, or proves that they have no completion;
 //! * [`faults`] finds all that a field breaks, fast;
 //! * [`make()`](make::make) changes any field into a tiling, in time that grows with its cells alone;
+//! * [`mod@flow`] has streams wind through tilings of two tiles;
 //! * [`notation`] reads limits, fields and maps of limits from text.
 //!
 //! **Where things are**: columns count from the west, rows from the north, both from 0.
@@ -25,6 +26,7 @@ pub mod count;
 pub mod exact;
 pub mod faults;
 mod field;
+pub mod flow;
 pub mod make;
 pub mod notation;
 mod rule;

@@ -66,6 +66,7 @@ fn help_and_version() {
         "lint",
         "dapple",
         "dapple decide",
+        "dapple flow",
     ] {
         for option in ["--help", "-h"] {
             let help = run(&format!("{command} {option}")).exits(0);
@@ -99,6 +100,7 @@ fn the_examples_run() {
         "aperiodic convert",
         "aperiodic patch",
         "dapple decide",
+        "dapple flow",
     ] {
         let help = run(&format!("{command} --help")).stdout;
         for line in help.lines().filter(|line| line.starts_with("  tilepack ")) {

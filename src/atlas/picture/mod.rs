@@ -5,9 +5,11 @@
 //! ([`digits`]): no fonts, so that every program shows the same.
 //!
 //! * [`marks`] draws a tile: four triangles (Wang) or four quarters of discs (corner tiles);
-//! * [`sheets`] puts tiles together: preview, contact sheet, tiling; [`mod@wall`] are bricks and mortar.
+//! * [`sheets`] puts tiles together: preview, contact sheet, tiling; [`mod@wall`] are bricks and
+//!   mortar; [`flow`] draws streams through dappled tilings.
 
 pub mod digits;
+pub mod flow;
 pub mod marks;
 pub mod path;
 pub mod raster;

@@ -108,6 +108,7 @@ west to east or from north to south; without --labels they are made dappled, so 
 long. With three positions or more every boundary goes on into a wall, where lines are not too short; \
 without limits (inf,inf) and for regions a linear algorithm decides it.
 
+Examples:
   tilepack brick --size 24x16 -o wall.svg
   tilepack brick --size 12x12 --limits 3,2 --cyclic -o wall.txt; tilepack verify wall.txt
   tilepack dapple make --size 20x10 -o labels.txt; tilepack brick --labels labels.txt -o wall.png
@@ -124,3 +125,15 @@ Exit codes: 0 built or counted, 1 there is no such wall, 75 stopped, or no label
 JSON fields (--json): result (built, counted, none or stopped), method, width, height, positions, \
 set_size (how many brick Wang tiles there are), seed, file, set_file, tiles_file, tiles (without -o; \
 their numbers by row); walls (--count, a string of digits); reason where there is none.";
+/// Examples for `dapple flow`.
+pub const DAPPLE_FLOW: &str = "\
+Every row and every column is a street, by turns in both directions. Where tile 0 stands the two \
+streams cross, where tile 1 stands both turn, so that they wind through the tiling; that it is \
+dappled says how far they go straight on. At crossings every stream goes over and under in turns.
+
+Examples:
+  tilepack dapple decide --size 24x16 -o field.txt; tilepack dapple flow field.txt -o flow.svg
+  tilepack dapple flow field.txt -o flow.html
+
+JSON fields (--json): result (drawn), width, height, streams, closed, longest (cells that it goes \
+through), straight (cells at most, in a row and in a column), file.";

@@ -2,11 +2,13 @@
 
 mod count;
 mod decide;
+mod flow;
 mod make;
 mod rule;
 
 pub use count::{DappleCountArgs, DappleSampleArgs};
 pub use decide::DappleDecideArgs;
+pub use flow::DappleFlowArgs;
 pub use make::{DappleMakeArgs, OrderArg, StartArg};
 pub use rule::{DappleCheckArgs, RuleArgs};
 
@@ -31,4 +33,7 @@ pub enum DappleCommand {
     /// Draw random dappled tilings, all equally likely
     #[command(after_help = help::DAPPLE_SAMPLE)]
     Sample(DappleSampleArgs),
+    /// Draw streams through a tiling by two tiles
+    #[command(after_help = help::DAPPLE_FLOW)]
+    Flow(DappleFlowArgs),
 }
