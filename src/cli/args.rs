@@ -25,7 +25,9 @@ pub use atlas::{ArrangeArg, AtlasArgs, ChannelsArg, GutterArg, LintArgs, TilePic
 pub use board::BoardArgs;
 pub use brick::BrickArgs;
 pub use cube::{CubeArgs, CubeKindArg};
-pub use dapple::{DappleCheckArgs, DappleCommand, DappleMakeArgs, OrderArg, RuleArgs, StartArg};
+pub use dapple::{
+    DappleCheckArgs, DappleCommand, DappleDecideArgs, DappleMakeArgs, OrderArg, RuleArgs, StartArg,
+};
 pub use export::{ExportCnfArgs, ExportOut, ExportXccArgs};
 pub use find::{FindArgs, FirstRow, Method, ValueOrder};
 pub use formats::{ExportArgs, ImportArgs, To};

@@ -1,7 +1,8 @@
-//! `dapple`: tilings in which nothing repeats for too long. One file a command; [`rule`] reads what
-//! they have in common, [`write`] puts tilings out.
+//! `dapple`: tilings in which nothing repeats for too long. One file a command; `rule` reads what
+//! they have in common, `write` puts tilings out.
 
 pub mod check;
+pub mod decide;
 pub mod make;
 mod rule;
 mod write;
@@ -17,5 +18,6 @@ pub fn run(command: &DappleCommand) -> anyhow::Result<Exit> {
     match command {
         DappleCommand::Make(args) => make::run(args),
         DappleCommand::Check(args) => check::run(args),
+        DappleCommand::Decide(args) => decide::run(args),
     }
 }

@@ -6,14 +6,12 @@
 //! **More tiles**: a variable for each cell and tile, and for each cell and set of several tiles
 //! that has a limit. Some tile stands in each cell; a tile brings its sets along; the cells of a
 //! window are not all in its set. Nothing says that a cell holds *one* tile: with fewer true
-//! variables fewer conditions are broken, so any of the true ones will do.
-//!
-//! Of two windows of the same set one inside the other the larger is left out only where both are
-//! the same.
+//! variables fewer conditions are broken, so any of the true ones will do. Where tiles are counted,
+//! that is said of the one that counts ([`Formula::only`]).
 
 use super::sat::{Literal, Solver};
-use crate::dappled::{FREE, Field, Rule};
-use std::collections::HashMap;
+use crate::dappled::{Condition, Direction, FREE, Field, Limit, Rule};
+use std::collections::BTreeMap;
 
 /// Words that the clauses of a rule may take at most.
 const MOST_WORDS: u64 = 1 << 27;
@@ -28,38 +26,39 @@ pub(super) struct Formula {
 }
 
 impl Formula {
-    /// How many words the clauses of a rule take, or none if it is too large.
+    /// Whether the clauses of a rule are not too many.
     pub(super) fn fits(rule: &Rule) -> bool {
         let cells = (rule.width() * rule.height()) as u64;
-        let mut words = cells * 4 * rule.tiles() as u64;
-        for condition in rule.conditions() {
-            let line = match condition.direction {
-                crate::dappled::Direction::Horizontal => rule.width(),
-                crate::dappled::Direction::Vertical => rule.height(),
+        let (tiles, conditions) = (rule.tiles() as u64, rule.conditions().len() as u64);
+        // Tiles and the sets that they bring along, and pairs of sets.
+        let sets = if tiles == 2 { 0 } else { conditions * (4 * tiles + 4 * conditions) };
+        let mut words = cells * (4 * tiles + sets);
+        for Condition { direction, limit, .. } in rule.conditions() {
+            let line = match direction {
+                Direction::Horizontal => rule.width() as u64,
+                Direction::Vertical => rule.height() as u64,
             };
-            let mut most = 0u64;
-            if let crate::dappled::Limit::Same(limit) = condition.limit {
-                most = cells * (6 + (line as u64).min(u64::from(limit) + 1));
-            } else {
-                for cell in 0..cells as usize {
-                    if let Some(limit) = condition.limit.at(cell) {
-                        most += 6 + (line as u64).min(u64::from(limit) + 1);
-                    }
-                }
-            }
-            words = words.saturating_add(most);
+            let window = |limit: u32| 6 + line.min(u64::from(limit) + 1);
+            words += match limit {
+                Limit::None => 0,
+                Limit::Same(limit) => cells * window(*limit),
+                Limit::Map(map) => map.iter().map(|&limit| window(limit)).sum(),
+            };
         }
         words <= MOST_WORDS
     }
 
-    /// The formula of a rule.
-    pub(super) fn new(rule: &Rule) -> Self {
+    /// The formula of a rule, by a solver without variables.
+    pub(super) fn new(rule: &Rule, solver: Solver) -> Self {
         let (width, height, tiles) = (rule.width(), rule.height(), rule.tiles());
         let cells = width * height;
         let variables = if tiles == 2 { cells } else { cells * tiles };
-        let mut formula = Self { solver: Solver::new(variables), width, height, tiles };
+        let mut formula = Self { solver, width, height, tiles };
+        (0..variables).for_each(|_| {
+            formula.solver.variable();
+        });
         let everything = u64::MAX >> (64 - tiles);
-        let mut sets: HashMap<u64, u32> = HashMap::new();
+        let mut sets: BTreeMap<u64, u32> = BTreeMap::new();
         if tiles != 2 {
             for cell in 0..cells as u32 {
                 let some: Vec<Literal> =
@@ -70,6 +69,16 @@ impl Formula {
                 let set = condition.set;
                 if set.count_ones() > 1 && set != everything && !sets.contains_key(&set) {
                     sets.insert(set, formula.together(set));
+                }
+            }
+        }
+        // Two sets that have all tiles between them: one of them is there. That follows, but not
+        // by drawing conclusions from single clauses.
+        for (&set, &first) in &sets {
+            for (_, &other) in sets.range(..set).filter(|(other, _)| *other | set == everything) {
+                for cell in 0..cells as u32 {
+                    let either = [first + cell, other + cell].map(|v| Literal::new(v, true));
+                    formula.solver.add(&either);
                 }
             }
         }
@@ -106,6 +115,19 @@ impl Formula {
         match self.tiles {
             2 => Literal::new(cell, tile == 1),
             tiles => Literal::new(cell * tiles as u32 + u32::from(tile), true),
+        }
+    }
+
+    /// Where this tile stands, no other does.
+    pub(super) fn only(&mut self, tile: u8) {
+        if self.tiles == 2 {
+            return;
+        }
+        for cell in 0..(self.width * self.height) as u32 {
+            for other in (0..self.tiles as u8).filter(|&other| other != tile) {
+                let both = [!self.holds(cell, tile), !self.holds(cell, other)];
+                self.solver.add(&both);
+            }
         }
     }
 

@@ -1,16 +1,26 @@
 //! Exact answers: can these cells be completed to a dappled tiling?
 //!
-//! A rule is a formula ([`encode`]), a partial tiling assumes some of its literals, and a solver
+//! A rule is a formula (`encode`), a partial tiling assumes some of its literals, and a solver
 //! ([`sat`]) finds a completion or proves that there is none. When there is none, the cells to blame
-//! are told: first those that the proof used, then fewer and fewer ([`shrink`]), until none can be
+//! are told: first those that the proof used, then fewer and fewer (`shrink`), until none can be
 //! left out. [`complete_near`] looks for a completion near another tiling instead, and blames nobody.
 //!
 //! What is found is checked from the definition before it is given out.
 
+mod bound;
+mod counts;
 mod encode;
 mod near;
+mod pack;
+mod proof;
 pub mod sat;
 mod shrink;
+mod total;
+mod walk;
+
+pub use bound::Reason;
+pub use counts::{Counted, Counts, complete_with, counts};
+pub use proof::{Proof, proof};
 
 use super::{FREE, Field, Rule};
 use crate::search::Stop;
@@ -18,7 +28,8 @@ use encode::Formula;
 pub use near::complete_near;
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64;
-use sat::{Answer, Literal};
+use sat::{Answer, Literal, Solver};
+use shrink::smaller;
 
 /// What became of a partial tiling.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -55,6 +66,14 @@ pub enum ExactError {
         row: usize,
         /// The column.
         column: usize,
+        /// The tile.
+        tile: u8,
+        /// How many tiles there are.
+        tiles: usize,
+    },
+    /// A tile to count that there is not.
+    #[error("tile {tile}: expected one below {tiles}")]
+    Counted {
         /// The tile.
         tile: u8,
         /// How many tiles there are.
@@ -108,33 +127,51 @@ impl<'a> Question<'a> {
         if !Formula::fits(rule) {
             return Err(ExactError::Large(found.0, found.1));
         }
-        let mut formula = Formula::new(rule);
-        let mut random = Pcg64::seed_from_u64(seed);
-        for cell in 0..(found.0 * found.1) as u32 {
-            let tile = random.random_range(0..tiles as u8);
-            let literal = formula.holds(cell, tile);
-            formula.solver.prefer(literal);
-        }
+        let formula = Formula::new(rule, Solver::new(0));
         let given = formula.given(partial);
-        Ok(Self { rule, partial, formula, given })
+        let mut question = Self { rule, partial, formula, given };
+        let mut random = Pcg64::seed_from_u64(seed);
+        for cell in 0..partial.cells().len() as u32 {
+            question.prefer(cell, random.random_range(0..tiles as u8));
+        }
+        Ok(question)
+    }
+
+    /// Has the solver guess this tile in a cell first.
+    fn prefer(&mut self, cell: u32, tile: u8) {
+        for other in 0..self.rule.tiles() as u8 {
+            let literal = self.formula.holds(cell, other);
+            if other != tile {
+                self.formula.solver.prefer(!literal);
+            }
+        }
+        let literal = self.formula.holds(cell, tile);
+        self.formula.solver.prefer(literal);
     }
 
     fn answer(&mut self, stop: &dyn Stop) -> Result<Completion, ExactError> {
         Ok(match self.formula.solver.solve(&self.given, stop) {
-            Answer::Model => {
-                let tiling = self.formula.tiling(self.partial);
-                if !self.rule.accepts(&tiling) || !self.partial.agrees_with(&tiling) {
-                    return Err(ExactError::Wrong);
-                }
-                Completion::Found(tiling)
-            }
+            Answer::Model => Completion::Found(self.checked(self.formula.tiling(self.partial))?),
             Answer::Failed(failed) => {
-                let (core, minimal) = shrink::smaller(&mut self.formula.solver, failed, stop);
-                let mut core: Vec<u32> = core.iter().map(|&l| self.formula.cell(l)).collect();
-                core.sort_unstable();
-                Completion::Impossible { core, minimal }
+                let (core, minimal) = smaller(&mut self.formula.solver, &[], failed, stop);
+                Completion::Impossible { core: self.blamed(&core), minimal }
             }
             Answer::Stopped => Completion::Stopped,
         })
+    }
+
+    /// What was found, if it is what was asked for: from the definition.
+    fn checked(&self, tiling: Field) -> Result<Field, ExactError> {
+        match self.rule.accepts(&tiling) && self.partial.agrees_with(&tiling) {
+            true => Ok(tiling),
+            false => Err(ExactError::Wrong),
+        }
+    }
+
+    /// The cells of literals, ascending.
+    fn blamed(&self, core: &[Literal]) -> Vec<u32> {
+        let mut cells: Vec<u32> = core.iter().map(|&l| self.formula.cell(l)).collect();
+        cells.sort_unstable();
+        cells
     }
 }

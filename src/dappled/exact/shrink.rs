@@ -7,9 +7,11 @@
 use super::sat::{Answer, Literal, Solver};
 use crate::search::Stop;
 
-/// A part of assumptions that failed which fails, too; and whether no smaller part of that does.
+/// A part of assumptions that failed which fails, too, along with others that stay; and whether no
+/// smaller part of that does.
 pub(super) fn smaller(
     solver: &mut Solver,
+    others: &[Literal],
     failed: Vec<Literal>,
     stop: &dyn Stop,
 ) -> (Vec<Literal>, bool) {
@@ -17,14 +19,14 @@ pub(super) fn smaller(
     // Those before are needed.
     let mut at = 0;
     while at < core.len() {
-        let rest: Vec<Literal> = [&core[..at], &core[at + 1..]].concat();
+        let rest: Vec<Literal> = [others, &core[..at], &core[at + 1..]].concat();
         match solver.solve(&rest, stop) {
             Answer::Model => at += 1,
             Answer::Failed(fewer) => {
-                let needed = core[..at].to_vec();
-                // What is needed is among them, in whatever order.
-                let others = fewer.iter().copied().filter(|literal| !needed.contains(literal));
-                core = needed.iter().copied().chain(others).collect();
+                // What is known to be needed stays.
+                let mut rest = core.split_off(at);
+                rest.retain(|literal| fewer.contains(literal));
+                core.extend(rest);
             }
             Answer::Stopped => return (core, false),
         }

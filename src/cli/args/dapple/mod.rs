@@ -1,8 +1,10 @@
 //! The options of the commands about dappled tilings.
 
+mod decide;
 mod make;
 mod rule;
 
+pub use decide::DappleDecideArgs;
 pub use make::{DappleMakeArgs, OrderArg, StartArg};
 pub use rule::{DappleCheckArgs, RuleArgs};
 
@@ -18,4 +20,7 @@ pub enum DappleCommand {
     /// Check a tiling from the definition
     #[command(after_help = help::DAPPLE_CHECK)]
     Check(DappleCheckArgs),
+    /// Complete a partial tiling, or show which cells make that impossible
+    #[command(after_help = help::DAPPLE_DECIDE)]
+    Decide(DappleDecideArgs),
 }

@@ -91,9 +91,7 @@ impl Solver {
 
     /// Goes back and adds a clause whose first literal is forced then.
     fn draw(&mut self, mut lesson: Vec<Literal>) {
-        if let Some(kept) = &mut self.lesson {
-            kept.push(lesson.clone());
-        }
+        self.record.iter_mut().for_each(|record| record.learned.push(lesson.clone()));
         // The second literal is the one that became false last.
         let level = |literal: &Literal| self.level[literal.variable() as usize];
         let last = (1..lesson.len()).max_by_key(|&at| level(&lesson[at]));

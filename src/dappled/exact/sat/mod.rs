@@ -3,8 +3,8 @@
 //! The search guesses values, draws the conclusions that single clauses force, and learns from
 //! every contradiction a clause that would have avoided it: *conflict-driven clause learning*
 //! (Marques-Silva and Sakallah 1996; Moskewicz et al. 2001; Eén and Sörensson 2003). Each clause is
-//! looked at only when one of its first two literals becomes false ([`clauses`]); guesses go to
-//! variables that took part in conflicts lately ([`heap`]), with the value that they had before;
+//! looked at only when one of its first two literals becomes false (`clauses`); guesses go to
+//! variables that took part in conflicts lately (`heap`), with the value that they had before;
 //! the search begins again in the rhythm of Luby's sequence, and forgets what was of little use.
 //!
 //! Some literals may be *assumed* for one question; when they contradict the formula, the answer
@@ -65,6 +65,17 @@ pub enum Answer {
     Stopped,
 }
 
+/// A proof, if nothing was assumed: each learned clause follows, by drawing conclusions from single
+/// clauses, from the given ones and those learned before; the last one is empty if the formula
+/// contradicts itself (the format DRAT, without deletions).
+#[derive(Debug, Clone, Default)]
+pub struct Record {
+    /// The formula.
+    pub given: Vec<Vec<Literal>>,
+    /// What was learned, in order.
+    pub learned: Vec<Vec<Literal>>,
+}
+
 /// A formula, and what was learned from it.
 #[derive(Debug, Clone)]
 pub struct Solver {
@@ -90,8 +101,8 @@ pub struct Solver {
     hopeless: bool,
     /// The values of the last model, by variable.
     model: Vec<bool>,
-    /// All that was learned, if it is kept.
-    lesson: Option<Vec<Vec<Literal>>>,
+    /// What was given and learned, if it is kept.
+    record: Option<Record>,
     /// Contradictions so far.
     conflicts: u64,
     /// So many learned clauses are kept.
@@ -117,7 +128,7 @@ impl Solver {
             seen: vec![false; variables],
             hopeless: false,
             model: Vec::new(),
-            lesson: None,
+            record: None,
             conflicts: 0,
             room: 4000,
         }
@@ -151,15 +162,14 @@ impl Solver {
         self.phase[literal.variable() as usize] = literal.is_positive();
     }
 
-    /// From now on keeps all that is learned: clause by clause, a proof ([`Solver::lesson`]).
-    pub fn keep_lesson(&mut self) {
-        self.lesson = Some(Vec::new());
+    /// Keeps all clauses that are given and learned from now on.
+    pub fn keep_record(&mut self) {
+        self.record = Some(Record::default());
     }
 
-    /// All that was learned since, each clause a consequence of those before; the last one is empty
-    /// if the formula contradicts itself.
-    pub fn lesson(&self) -> &[Vec<Literal>] {
-        self.lesson.as_deref().unwrap_or_default()
+    /// What was kept.
+    pub fn record(&self) -> Option<&Record> {
+        self.record.as_ref()
     }
 
     /// Whether a literal holds in the last model.
@@ -170,6 +180,7 @@ impl Solver {
     /// Adds a clause: one of these literals must hold.
     pub fn add(&mut self, clause: &[Literal]) {
         self.back_to(0);
+        self.record.iter_mut().for_each(|record| record.given.push(clause.to_vec()));
         let mut kept = clause.to_vec();
         kept.sort_unstable();
         kept.dedup();
@@ -316,7 +327,7 @@ impl Solver {
     fn give_up(&mut self) {
         if !self.hopeless {
             self.hopeless = true;
-            self.lesson.iter_mut().for_each(|lesson| lesson.push(Vec::new()));
+            self.record.iter_mut().for_each(|record| record.learned.push(Vec::new()));
         }
     }
 }

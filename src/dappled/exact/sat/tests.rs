@@ -64,7 +64,7 @@ fn crowded(pigeons: u32) -> Solver {
     let holes = pigeons - 1;
     let mut solver = Solver::new((pigeons * holes) as usize);
     let sits = |pigeon: u32, hole: u32| Literal::new(pigeon * holes + hole, true);
-    solver.keep_lesson();
+    solver.keep_record();
     for pigeon in 0..pigeons {
         solver.add(&(0..holes).map(|hole| sits(pigeon, hole)).collect::<Vec<_>>());
         for other in 0..pigeon {
@@ -79,7 +79,7 @@ fn pigeons_need_a_search_that_learns_and_forgets() {
     let mut solver = crowded(8);
     assert_eq!(solver.solve(&[], &()), Answer::Failed(vec![]));
     assert!(solver.conflicts() > 1000);
-    assert_eq!(solver.lesson().last(), Some(&vec![]));
+    assert_eq!(solver.record().unwrap().learned.last(), Some(&vec![]));
     let stop = std::sync::atomic::AtomicBool::new(true);
     assert_eq!(crowded(11).solve(&[], &stop), Answer::Stopped);
 }
