@@ -2,7 +2,11 @@
 
 #![allow(clippy::unwrap_used)]
 
+mod brick;
+mod command;
 mod decide;
 mod exact;
+mod make;
 #[path = "../sat/proof.rs"]
 mod proof;
+mod random;
