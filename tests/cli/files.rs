@@ -65,7 +65,10 @@ fn help_and_version() {
         "atlas",
         "lint",
         "dapple",
+        "dapple make",
+        "dapple check",
         "dapple decide",
+        "brick",
     ] {
         for option in ["--help", "-h"] {
             let help = run(&format!("{command} {option}")).exits(0);
@@ -98,7 +101,11 @@ fn the_examples_run() {
         "aperiodic sets",
         "aperiodic convert",
         "aperiodic patch",
+        "dapple",
+        "dapple make",
+        "dapple check",
         "dapple decide",
+        "brick",
     ] {
         let help = run(&format!("{command} --help")).stdout;
         for line in help.lines().filter(|line| line.starts_with("  tilepack ")) {

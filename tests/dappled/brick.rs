@@ -217,7 +217,8 @@ fn regions_are_decided() {
             }
         }
         let holds = |c, r| c < size.0 && r < size.1 && partial.holds(c, r);
-        let square = |(c, r): (usize, usize)| holds(c + 1, r) && holds(c, r + 1) && holds(c + 1, r + 1);
+        let square =
+            |(c, r): (usize, usize)| holds(c + 1, r) && holds(c, r + 1) && holds(c + 1, r + 1);
         cycles += u32::from(partial.cells().any(square));
     }
     assert!(some > 500 && none > 100 && cycles > 200, "{some} {none} {cycles}");
