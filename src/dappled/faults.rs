@@ -17,7 +17,7 @@ fn count(tiles: &[u8], set: u64, runs: &mut [u32], horizontal: bool) {
 }
 
 /// Tells `found` of every window that is broken: its direction, its last cell and its length. A
-/// line that meets its end and is one window is told of by each of its cells that has a limit.
+/// line that meets its end and is all alike is told of as a whole, by each cell that has a limit.
 fn visit(
     rule: &Rule,
     field: &Field,

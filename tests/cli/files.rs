@@ -65,8 +65,11 @@ fn help_and_version() {
         "atlas",
         "lint",
         "dapple",
+        "dapple make",
+        "dapple check",
         "dapple decide",
         "dapple flow",
+        "brick",
     ] {
         for option in ["--help", "-h"] {
             let help = run(&format!("{command} {option}")).exits(0);
@@ -99,8 +102,12 @@ fn the_examples_run() {
         "aperiodic sets",
         "aperiodic convert",
         "aperiodic patch",
+        "dapple",
+        "dapple make",
+        "dapple check",
         "dapple decide",
         "dapple flow",
+        "brick",
     ] {
         let help = run(&format!("{command} --help")).stdout;
         for line in help.lines().filter(|line| line.starts_with("  tilepack ")) {

@@ -1,264 +1,149 @@
-//! `dapple count` and `dapple sample` as they are met: output, files, stops, damage.
+//! `dapple make` and `brick` as users meet them.
 
-use serde_json::{Value, json};
-use std::fs;
-use std::path::PathBuf;
-use std::process::{Command, Output, Stdio};
-use std::time::{Duration, Instant};
+use assert_cmd::Command;
+use serde_json::Value;
 use tempfile::TempDir;
 
+/// A folder to work in.
 struct Place(TempDir);
-
-struct Run {
-    code: i32,
-    stdout: String,
-    stderr: String,
-}
 
 impl Place {
     fn new() -> Self {
         Self(TempDir::new().unwrap())
     }
 
-    fn path(&self, file: &str) -> PathBuf {
-        self.0.path().join(file)
+    /// Runs the program: exit code, standard output, standard error.
+    fn run(&self, args: &str) -> (i32, String, String) {
+        let mut command = Command::new(env!("CARGO_BIN_EXE_tilepack"));
+        let output = command.args(args.split_whitespace()).current_dir(&self.0).output().unwrap();
+        let text = |bytes| String::from_utf8(bytes).unwrap();
+        (output.status.code().unwrap(), text(output.stdout), text(output.stderr))
     }
 
-    fn write(&self, file: &str, text: &str) {
-        fs::write(self.path(file), text).unwrap();
+    fn json(&self, args: &str) -> Value {
+        serde_json::from_str(&self.run(args).1).unwrap()
     }
 
-    fn command(&self, args: &str) -> Command {
-        let mut command = Command::new(assert_cmd::cargo::cargo_bin!("tilepack"));
-        command.current_dir(self.0.path()).arg("dapple").args(args.split_whitespace());
-        command.stdin(Stdio::null()).stdout(Stdio::piped()).stderr(Stdio::piped());
-        command
+    fn write(&self, name: &str, text: &str) {
+        std::fs::write(self.0.path().join(name), text).unwrap();
     }
 
-    #[track_caller]
-    fn run(&self, args: &str, code: i32) -> Run {
-        let run = Run::of(self.command(args).output().unwrap());
-        assert_eq!(run.code, code, "{args}: {} {}", run.stdout, run.stderr);
-        run
+    fn read(&self, name: &str) -> Vec<u8> {
+        std::fs::read(self.0.path().join(name)).unwrap()
     }
 
-    #[track_caller]
-    fn resume(&self, args: &str, code: i32) -> Run {
-        let mut command = Command::new(assert_cmd::cargo::cargo_bin!("tilepack"));
-        command.current_dir(self.0.path()).arg("resume").args(args.split_whitespace());
-        let run = Run::of(command.output().unwrap());
-        assert_eq!(run.code, code, "{args}: {} {}", run.stdout, run.stderr);
-        run
-    }
-}
-
-impl Run {
-    fn of(output: Output) -> Self {
-        Self {
-            code: output.status.code().unwrap_or(-1),
-            stdout: String::from_utf8(output.stdout).unwrap(),
-            stderr: String::from_utf8(output.stderr).unwrap(),
-        }
-    }
-
-    fn json(&self) -> Value {
-        serde_json::from_str(&self.stdout).unwrap()
+    /// The command is refused; its message says this.
+    fn refused(&self, args: &str, says: &str) {
+        let (code, out, message) = self.run(args);
+        assert_eq!((code, &*out), (2, ""), "{args}: {message}");
+        assert!(message.contains(says), "{args}: {message}");
     }
 }
 
 #[test]
-fn a_count_says_what_it_counted() {
+fn tilings_are_made_checked_and_kept() {
     let place = Place::new();
-    let run = place.run("count --size 4x4", 0);
-    assert!(run.stdout.starts_with("2030 dappled tilings\n4x4, 2 tiles, limits 2,2, free edges; "));
-    assert_eq!(run.stderr, "");
-    let run = place.run("count --size 4x4 --by-number 0", 0);
-    assert!(run.stdout.contains("\n4 with tile 0 5 times\n82 with tile 0 6 times\n"));
-    let run = place.run("count --size 4x4 --by-number --json", 0).json();
-    assert_eq!(run["by_number"]["tile"], 1);
-    assert_eq!(run["by_number"]["numbers"][0], json!([5, "4"]));
-    assert_eq!((&run["result"], &run["tilings"]), (&json!("counted"), &json!("2030")));
-    let run = place.run("count --size 5x3 --cyclic --threads 1 --json", 0).json();
-    assert_eq!((&run["edges"], &run["tilings"]), (&json!("torus"), &json!("390")));
-    let run = place.run("count --size 4x1 --cylinder", 0);
-    assert!(run.stdout.starts_with("6 dappled"));
-    let run = place.run("count --size 1x4 --cylinder", 1);
-    assert!(run.stdout.starts_with("0 dappled"));
-    place.write("given.txt", "0...\n....\n...1\n");
-    place.write("map.txt", "1 2 2 2\n2 2 2 2\n2 2 inf 2\n");
-    let run = place.run("count --size 4x3 --given given.txt --limits 2,@map.txt --json", 0).json();
-    let least: u64 = run["tilings"].as_str().unwrap().parse().unwrap();
-    assert!((50..378).contains(&least), "{least}");
-}
-
-#[test]
-fn bad_input_is_named() {
-    let place = Place::new();
-    place.write("given.txt", "0..\n..2\n");
-    place.write("small.txt", "0..\n");
-    for (args, message) in [
-        ("count --size 4", "--size: size '4': expected WxH"),
-        ("count --size 0x4", "both sides must be at least 1"),
-        ("count --size 3x2 --given given.txt", "given.txt:2:3: '2': expected a tile below 2"),
-        ("count --size 3x2 --given small.txt", "small.txt: 3x1 cells, expected 3x2"),
-        ("count --size 3x2 --given none.txt", "none.txt: no such file"),
-        ("count --size 3x2 --by-number 2", "--by-number 2: expected a tile below 2"),
-        ("count --size 3x2 --limits 0,2", "--limits '0,2': a limit of 0"),
-        ("count --size 20x20", "20x20, 2 tiles, limits 2,2, free edges: counting needs about"),
-        ("count --size 200x200", "counting needs about"),
-        (
-            "count --size 14x14 --memory 20MiB",
-            "MiB of memory (3 million states), --memory allows 20 MiB",
-        ),
-        ("count --size 9x9 --memory 4", "expected at least"),
-        ("count --size 8x8 --memory 4x", "expected a number and a unit"),
-        ("count --size 3x3 --checkpoint no/where", "no/where"),
-        ("sample --size 16x200", "(--memory)"),
-        ("sample --size 3x3 --number 2 -o a.png", "a picture holds one tiling"),
-        ("sample --size 3x3 -o no/where.txt", "no/where.txt"),
-    ] {
-        let run = match message {
-            "expected at least" => continue,
-            _ => place.run(args, 2),
-        };
-        assert!(run.stderr.contains(message), "{args}: {}", run.stderr);
-        assert_eq!(run.stdout, "");
+    let (code, out, remark) = place.run("dapple make --size 24x10 --seed 3");
+    assert_eq!((code, out.lines().count()), (0, 10));
+    assert!(remark.contains("24x10 cells") && remark.contains("algorithm 1"), "{remark}");
+    place.write("a.txt", &out);
+    assert_eq!(place.run("dapple check a.txt").0, 0);
+    // As text and as a picture, again: nothing changes.
+    place.run("dapple make --from a.txt -o a.png --quiet");
+    let again = place.json("dapple make --from a.png --json -o b.txt");
+    assert_eq!((&again["result"], &again["changed"]), (&"found".into(), &0.into()));
+    assert!(String::from_utf8(place.read("b.txt")).unwrap().ends_with(&out));
+    // Free cells begin as told.
+    place.write("free.txt", "....\n....\n....\n");
+    let (_, out, _) = place.run("dapple make --from free.txt --start empty --quiet");
+    assert_eq!(out, "0010\n0011\n1100\n");
+    for threads in [1, 3] {
+        let args = "dapple make --size 1200x90 --order wavefront --quiet --threads";
+        assert_eq!(place.run(&format!("{args} {threads} -o {threads}.png")).0, 0);
     }
-    assert!(!place.path("no").exists());
+    assert!(place.read("1.png") == place.read("3.png"));
+    let made = place.json("dapple make --size 5x5 --tiles 3 --limits 1,1 --cyclic --json");
+    assert_eq!(made["rows"].as_array().unwrap().len(), 5);
+    let (code, out, _) = place.run("dapple make --size 5x4 --limits 1,1 --cyclic");
+    assert_eq!((code, &*out), (1, "none: no tiling of this size keeps these limits\n"));
 }
 
 #[test]
-fn tilings_are_drawn_and_written() {
+fn walls_are_built() {
     let place = Place::new();
-    let one = place.run("sample --size 7x5 --seed 3", 0);
-    assert_eq!(one.stdout.lines().count(), 5);
-    assert!(one.stderr.contains("one of 119835492 dappled") || one.stderr.contains("2699464"));
-    assert_eq!(one.stdout, place.run("sample --size 7x5 --seed 3 --threads 1", 0).stdout);
-    assert_ne!(one.stdout, place.run("sample --size 7x5 --seed 4", 0).stdout);
-    place.run("sample --size 7x5 --seed 3 -o one.txt", 0);
-    place.run("check one.txt", 0);
-    place.run("sample --size 6x9 --cyclic -o torus.png", 0);
-    place.run("check torus.png --cyclic", 0);
-    let three = place.run("sample --size 4x3 --number 3", 0).stdout;
-    assert_eq!(three.lines().filter(|line| line.starts_with('#')).count(), 3);
-    let object = place.run("sample --size 4x3 --number 2 --json", 0).json();
-    assert_eq!((&object["of"], object["tilings"].as_array().unwrap().len()), (&json!("378"), 2));
-    let none = place.run("sample --size 1x4 --cylinder", 1);
-    assert!(none.stdout.starts_with("none: "));
-}
-
-const COUNT: &str = "count --size 9x9 --quiet --json --checkpoint c.ck";
-const NUMBER: &str = "43680343039806";
-
-/// Stopped again and again by the time limit, it ends with the number.
-#[test]
-fn a_stopped_count_goes_on() {
-    let place = Place::new();
-    let (mut stops, mut done) = (0, 0);
-    for round in 0..500 {
-        let time = 1 + round / 4;
-        let run = match place.path("c.ck").exists() && round % 2 == 1 {
-            true => {
-                let mut command = Command::new(assert_cmd::cargo::cargo_bin!("tilepack"));
-                command.current_dir(place.0.path()).args(["resume", "c.ck", "--quiet"]);
-                Run::of(command.args(["--time-limit", &format!("{time}ms")]).output().unwrap())
-            }
-            false => {
-                Run::of(place.command(&format!("{COUNT} --time-limit {time}ms")).output().unwrap())
-            }
-        };
-        let object = run.json();
-        if run.code == 0 {
-            assert_eq!(object["tilings"], NUMBER);
-            done += 1;
-            break;
-        }
-        assert_eq!((run.code, &object["result"]), (75, &json!("stopped")), "{}", run.stderr);
-        assert!(run.stderr.contains("stopped early by the time limit"), "{}", run.stderr);
-        assert!(run.stderr.contains("saved: tilepack resume c.ck"));
-        stops += 1;
+    let (code, _, remark) = place.run("brick --size 9x7 --cyclic --positions 4 -o wall.txt");
+    assert_eq!(code, 0, "{remark}");
+    let (code, out, _) = place.run("verify wall.txt");
+    assert!(code == 0 && out.contains("9x7 torus"), "{out}");
+    place.run("brick --size 9x7 -o wall.json");
+    let (code, out, _) = place.run("verify wall.json");
+    assert!(code == 0 && out.contains("9x7 rectangle"), "{out}");
+    for file in ["wall.svg", "wall.png"] {
+        assert_eq!(place.run(&format!("brick --size 5x4 --seed 2 -o {file}")).0, 0);
     }
-    assert!(stops > 0 && done == 1, "{stops}");
-    // One that is done gives its answer again.
-    assert_eq!(place.resume("c.ck", 0).json()["tilings"], NUMBER);
-}
-
-/// Killed at any moment, it loses only what was done since the last checkpoint.
-#[test]
-fn a_killed_count_goes_on() {
-    let place = Place::new();
-    let mut kills = 0;
-    let begin = Instant::now();
-    loop {
-        let every = if kills % 2 == 0 { "1ms" } else { "5ms" };
-        let args = format!("{COUNT} --threads 2 --checkpoint-every {every}");
-        let mut child = place.command(&args).spawn().unwrap();
-        let patience = Duration::from_millis(10 + 9 * kills);
-        let end = Instant::now() + patience;
-        while Instant::now() < end && child.try_wait().unwrap().is_none() {
-            std::thread::sleep(Duration::from_millis(1));
-        }
-        let killed = child.try_wait().unwrap().is_none();
-        child.kill().unwrap();
-        let run = Run::of(child.wait_with_output().unwrap());
-        if !killed || run.code == 0 {
-            assert_eq!(run.code, 0, "{}", run.stderr);
-            assert_eq!(run.json()["tilings"], NUMBER);
-            break;
-        }
-        kills += 1;
-        assert!(begin.elapsed() < Duration::from_secs(60));
-    }
-    assert!(kills > 0);
+    assert!(place.read("wall.svg").starts_with(b"<svg "));
+    place.write("region.txt", "###\n#.#\n###\n");
+    place.write("all.txt", "north 0 1 2\neast 0 0 1\n1 0 east 2\n");
+    let built = place.json("brick --region region.txt --boundary all.txt --json");
+    assert_eq!(built["tiles"][1][1], Value::Null);
+    // A single row whose ends differ, all h-tiles.
+    place.write("labels.txt", "000\n");
+    place.write("ends.txt", "west 0\neast 1\n");
+    let (code, out, _) = place.run("brick --labels labels.txt --boundary ends.txt");
+    assert_eq!(code, 1);
+    assert!(out.contains("row 0: from position 0 to 1 in 0 moves"), "{out}");
+    assert_eq!(place.run("brick --size 3x3 --positions 3 --count").1, "191102976 walls\n");
+    let counted = place.json("brick --labels labels.txt --positions 3 --count --json");
+    assert_eq!(counted["walls"], (3 * 6 * 6 * 6).to_string());
 }
 
 #[test]
-fn damage_and_others_are_refused() {
+fn brick_tiles_are_a_texture() {
     let place = Place::new();
-    place.run(&format!("{COUNT} --time-limit 30ms --checkpoint-every 1ms"), 75);
-    let whole = fs::read(place.path("c.ck")).unwrap();
-    // Another count, or a search.
-    let run = place.run("count --size 9x8 --checkpoint c.ck", 2);
-    assert!(run.stderr.contains("c.ck: holds another count"), "{}", run.stderr);
-    let mut search = Command::new(assert_cmd::cargo::cargo_bin!("tilepack"));
-    search.current_dir(place.0.path()).args(["count", "--kind", "corner", "--colors", "2"]);
-    let run = Run::of(search.args(["--checkpoint", "c.ck"]).output().unwrap());
-    assert_eq!(run.code, 2, "{}", run.stderr);
-    for option in ["--node-limit 3", "-o x.txt", "--status s.json"] {
-        place.resume(&format!("c.ck {option}"), 2);
-    }
-    assert!(fs::read(place.path("c.ck")).unwrap() == whole);
-    // Damaged, with and without one before it.
-    let mut bytes = whole.clone();
-    let middle = bytes.len() / 2;
-    bytes[middle] ^= 1;
-    fs::write(place.path("c.ck"), &bytes).unwrap();
-    let _ = fs::remove_file(place.path("c.ck.previous"));
-    let run = place.run(COUNT, 2);
-    assert!(run.stderr.contains("c.ck: is cut short or damaged"), "{}", run.stderr);
-    place.resume("c.ck", 2);
-    assert!(fs::read(place.path("c.ck")).unwrap() == bytes);
-    fs::write(place.path("c.ck.previous"), &whole).unwrap();
-    let run = place.run(COUNT, 0);
-    assert_eq!(run.json()["tilings"], NUMBER);
-    assert!(run.stderr.contains("kept as c.ck.damaged-1"), "{}", run.stderr);
-    assert!(fs::read(place.path("c.ck.damaged-1")).unwrap() == bytes);
+    let made =
+        place.json("brick --positions 3 --set-out b.json --tiles-out b --tile-size 16 --json");
+    assert_eq!(made["set_size"], 36);
+    assert_eq!(place.run("find --set b.json --values random -o p.json --quiet").0, 0);
+    let (code, _, message) =
+        place.run("atlas p.json --fill b --strip 2 -o atlas.png --check --quiet");
+    assert_eq!(code, 0, "{message}");
+    place.run("brick --positions 3 --tiles-out sheet.png --tile-size 16");
+    let sheet = "atlas p.json --fill sheet.png --sheet b.json --strip 2 -o other.png --quiet";
+    assert_eq!(place.run(sheet).0, 0);
+    assert!(place.read("atlas.png") == place.read("other.png"));
+    place.run("brick --positions 3 --size 16x16 --cyclic -o map.txt");
+    let shader = "export p.json --to glsl-es-300 --coloring map:map.txt -o wall.glsl";
+    let (code, _, message) = place.run(shader);
+    assert_eq!(code, 0, "{message}");
 }
 
-#[cfg(unix)]
 #[test]
-fn a_signal_saves_the_count() {
+fn what_makes_no_sense_is_refused() {
     let place = Place::new();
-    // This takes long enough in every build.
-    let args = "count --size 13x60 --checkpoint long.ck --quiet";
-    let child = place.command(args).spawn().unwrap();
-    std::thread::sleep(Duration::from_millis(300));
-    let second = place.run(args, 2);
-    assert!(second.stderr.contains("another process is at work on it"), "{}", second.stderr);
-    let pid = child.id().to_string();
-    assert!(Command::new("kill").args(["-s", "INT", &pid]).status().unwrap().success());
-    let run = Run::of(child.wait_with_output().unwrap());
-    assert_eq!((run.code, &run.stdout[..]), (75, ""), "{}", run.stderr);
-    assert!(run.stderr.contains("stopped early by a signal"), "{}", run.stderr);
-    assert!(place.path("long.ck").exists());
+    place.write("ragged.txt", "01\n0\n");
+    place.write("strange.txt", "01\n02\n");
+    place.write("map.txt", "1 2\n0 3\n");
+    place.write("small.txt", "1 2\n");
+    place.write("broken.png", "this is no picture");
+    place.write("free.txt", "0.\n");
+    place.refused("dapple make", "expected --size WxH or --from FILE");
+    place.refused("dapple make --size 0x3", "at least 1");
+    place.refused("dapple make --size 70000x70000", "cells");
+    place.refused("dapple make --size 3x3 --limits 0,2", "a limit of 0");
+    place.refused("dapple make --size 3x3 --limits 5:2,2", "tile 5");
+    place.refused("dapple make --size 2x2 --limits @map.txt,2", "map.txt:2:1");
+    place.refused("dapple make --size 2x2 --limits @small.txt,2", "expected 2x2");
+    place.refused("dapple make --size 2x2 --limits @none.txt,2", "no such file");
+    place.refused("dapple make --from ragged.txt", "ragged.txt:2:1");
+    place.refused("dapple make --from strange.txt", "strange.txt:2:2");
+    place.refused("dapple make --from broken.png", "expected a PNG");
+    place.refused("dapple make --from free.txt --size 3x1", "2x1 cells, but --size 3x1");
+    place.refused("dapple make --size 4x4 -o no/where.txt", "no/where.txt");
+    place.refused("brick", "which wall?");
+    place.refused("brick --size 4x4 --limits 2", "expected P,Q");
+    place.refused("brick --size 4x4 --limits 0,2", "expected P,Q");
+    place.refused("brick --labels free.txt", "no label");
+    place.refused("brick --labels strange.txt", "strange.txt:2:2");
+    place.refused("brick --size 2x2 --boundary ragged.txt", "ragged.txt:1:1");
+    place.refused("brick --size 4x4 --region ragged.txt", "cannot be used with");
 }

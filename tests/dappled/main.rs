@@ -2,12 +2,16 @@
 
 #![allow(clippy::unwrap_used, clippy::panic)]
 
+mod brick;
 mod command;
 mod count;
+mod counting;
 mod decide;
 mod exact;
+mod make;
 mod oracle;
 #[path = "../sat/proof.rs"]
 mod proof;
+mod random;
 mod sample;
 mod tables;

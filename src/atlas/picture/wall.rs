@@ -39,10 +39,11 @@ struct Brick {
 impl Brick {
     /// Its outline without half a joint, moved a little.
     fn outline(&self, path: &mut Path, inset: f64, (dx, dy): (f64, f64)) {
-        let inset = |side: usize| if self.cut[side] { 0.0 } else { inset };
+        // The border stays where it is.
+        let by = |side: usize, by: f64| if self.cut[side] { 0.0 } else { by };
         let [x0, y0, x1, y1] = self.sides;
-        let (x0, y0) = (x0 + inset(0) + dx, y0 + inset(1) + dy);
-        let (x1, y1) = (x1 - inset(2) + dx, y1 - inset(3) + dy);
+        let (x0, y0) = (x0 + by(0, dx + inset), y0 + by(1, dy + inset));
+        let (x1, y1) = (x1 + by(2, dx - inset), y1 + by(3, dy - inset));
         let round = |a: usize, b: usize| if self.cut[a] || self.cut[b] { 0.0 } else { ROUND };
         let k = 1.0 - QUARTER;
         let [nw, ne, se, sw] = [round(0, 1), round(1, 2), round(2, 3), round(3, 0)];

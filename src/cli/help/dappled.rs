@@ -115,7 +115,7 @@ Examples:
   tilepack brick --size 3x3 --positions 3 --count
 
   tilepack brick --positions 3 --set-out bricks.json --tiles-out bricks
-  tilepack find --set bricks.json -o packing.json
+  tilepack find --set bricks.json --values random -o packing.json
   tilepack atlas packing.json --fill bricks -o atlas.png --check
   tilepack brick --positions 3 --size 16x16 --cyclic -o map.txt
   tilepack export packing.json --to glsl-es-300 --coloring map:map.txt -o wall.glsl

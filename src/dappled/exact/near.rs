@@ -17,25 +17,17 @@ pub fn complete_near(
     stop: &dyn Stop,
 ) -> Result<Completion, ExactError> {
     let mut question = Question::new(rule, partial, 0)?;
-    let formula = &mut question.formula;
     for (cell, &tile) in (0..).zip(near.cells()) {
-        if usize::from(tile) < rule.tiles() && tile != FREE {
-            let literal = formula.holds(cell, tile);
-            formula.solver.prefer(literal);
+        if tile != FREE {
+            question.prefer(cell, tile);
         }
     }
-    Ok(match formula.solver.solve(&question.given, stop) {
+    Ok(match question.formula.solver.solve(&question.given, stop) {
         Answer::Model => {
-            let tiling = formula.tiling(partial);
-            if !rule.accepts(&tiling) || !partial.agrees_with(&tiling) {
-                return Err(ExactError::Wrong);
-            }
-            Completion::Found(tiling)
+            Completion::Found(question.checked(question.formula.tiling(question.partial))?)
         }
         Answer::Failed(failed) => {
-            let mut core: Vec<u32> = failed.iter().map(|&literal| formula.cell(literal)).collect();
-            core.sort_unstable();
-            Completion::Impossible { core, minimal: false }
+            Completion::Impossible { core: question.blamed(&failed), minimal: false }
         }
         Answer::Stopped => Completion::Stopped,
     })
