@@ -49,8 +49,23 @@ fn help_and_version() {
     let version = run("--version").exits(0);
     assert_eq!(version.stdout, format!("tilepack {}\n", env!("CARGO_PKG_VERSION")));
     for command in [
-        "", "find", "locate", "count", "list", "verify", "show", "sets", "cube", "walk", "export",
-        "import", "tile", "atlas", "lint",
+        "",
+        "find",
+        "locate",
+        "count",
+        "list",
+        "verify",
+        "show",
+        "sets",
+        "cube",
+        "walk",
+        "export",
+        "import",
+        "tile",
+        "atlas",
+        "lint",
+        "dapple count",
+        "dapple sample",
     ] {
         for option in ["--help", "-h"] {
             let help = run(&format!("{command} {option}")).exits(0);
@@ -82,6 +97,8 @@ fn the_examples_run() {
         "aperiodic sets",
         "aperiodic convert",
         "aperiodic patch",
+        "dapple count",
+        "dapple sample",
     ] {
         let help = run(&format!("{command} --help")).stdout;
         for line in help.lines().filter(|line| line.starts_with("  tilepack ")) {

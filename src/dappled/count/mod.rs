@@ -61,7 +61,7 @@ pub enum CountError {
         columns: usize,
     },
     /// More memory than there may be.
-    #[error("counting needs {} of memory, the limit is {}", mebibytes(*.need), mebibytes(*.limit))]
+    #[error("counting needs {} of memory, the limit is {}", spoken(*.need), spoken(*.limit))]
     Memory {
         /// What is needed, at least.
         need: usize,
@@ -71,10 +71,11 @@ pub enum CountError {
 }
 
 /// Bytes in words.
-fn mebibytes(bytes: usize) -> String {
+fn spoken(bytes: usize) -> String {
     match bytes >> 20 {
-        0..=9999 => format!("{} MiB", (bytes >> 20).max(1)),
-        more => format!("{:.1} GiB", more as f64 / 1024.0),
+        0 => format!("{} KiB", bytes.div_ceil(1024)),
+        mebibytes @ 1..9999 => format!("{mebibytes} MiB"),
+        mebibytes => format!("{:.1} GiB", mebibytes as f64 / 1024.0),
     }
 }
 
