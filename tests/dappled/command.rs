@@ -112,10 +112,8 @@ fn bad_input_is_named() {
             "count --size 14x14 --memory 20MiB",
             "MiB of memory (3 million states), --memory allows 20 MiB",
         ),
-        (
-            "count --size 9x9 --memory 4",
-            "counting needs 1 MiB of memory, the limit is 1 MiB (--memory)",
-        ),
+        ("count --size 9x9 --memory 4", "states), --memory allows 1 KiB"),
+        ("count --size 4x9 --cyclic --memory 4", "KiB of memory, the limit is 1 KiB (--memory)"),
         ("count --size 8x8 --memory 4x", "expected a number and a unit"),
         ("count --size 3x3 --checkpoint no/where", "no/where"),
         ("sample --size 16x200", "drawing needs about"),
