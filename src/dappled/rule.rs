@@ -308,7 +308,8 @@ mod tests {
     use super::*;
 
     fn field(rows: &[&str]) -> Field {
-        let cells = rows.concat().bytes().map(|b| if b == b'?' { FREE } else { b - b'0' });
+        let text = rows.concat();
+        let cells = text.bytes().map(|b| if b == b'?' { FREE } else { b - b'0' });
         Field::new(rows[0].len(), rows.len(), cells.collect()).unwrap()
     }
 
