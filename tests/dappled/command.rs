@@ -157,7 +157,7 @@ fn a_stopped_count_goes_on() {
     let place = Place::new();
     let (mut stops, mut done) = (0, 0);
     for round in 0..200 {
-        let time = 1 + 3 * round;
+        let time = 1 + 20 * round;
         let run = match place.path("c.ck").exists() && round % 2 == 1 {
             true => {
                 let mut command = Command::new(assert_cmd::cargo::cargo_bin!("tilepack"));
