@@ -1,5 +1,5 @@
-//! `dapple`: tilings in which nothing repeats for too long. One file a command; [`rule`] reads what
-//! they have in common, [`write`] puts tilings out.
+//! `dapple`: tilings in which nothing repeats for too long. One file a command; `rule` reads what
+//! they have in common, `write` puts tilings out.
 
 pub mod check;
 pub mod count;
