@@ -32,11 +32,12 @@ pub fn parse(text: &str) -> Result<usize, String> {
     }
 }
 
-/// Memory for people, rounded: `1 MiB`, `340 MiB`, `4.2 GiB`.
+/// Memory for people, rounded: `12 KiB`, `340 MiB`, `4.2 GiB`.
 pub fn words(bytes: f64) -> String {
     let mebibytes = bytes / 1_048_576.0;
     match mebibytes {
-        ..1000.0 => format!("{:.0} MiB", mebibytes.max(1.0)),
+        ..1.0 => format!("{:.0} KiB", (bytes / 1024.0).ceil()),
+        ..1000.0 => format!("{mebibytes:.0} MiB"),
         _ => format!("{:.1} GiB", mebibytes / 1024.0),
     }
 }
@@ -54,6 +55,6 @@ mod tests {
         for text in ["", "GiB", "4 GiB", "4X", "-1GiB", "1e9", "99999999999GiB"] {
             assert!(parse(text).is_err(), "{text}");
         }
-        assert_eq!([words(3e5), words(4.2e9)], ["1 MiB", "3.9 GiB"]);
+        assert_eq!([words(3e5), words(4.2e9)], ["293 KiB", "3.9 GiB"]);
     }
 }

@@ -70,6 +70,8 @@ fn help_and_version() {
         "dapple decide",
         "dapple flow",
         "brick",
+        "dapple count",
+        "dapple sample",
     ] {
         for option in ["--help", "-h"] {
             let help = run(&format!("{command} {option}")).exits(0);
@@ -108,6 +110,8 @@ fn the_examples_run() {
         "dapple decide",
         "dapple flow",
         "brick",
+        "dapple count",
+        "dapple sample",
     ] {
         let help = run(&format!("{command} --help")).stdout;
         for line in help.lines().filter(|line| line.starts_with("  tilepack ")) {

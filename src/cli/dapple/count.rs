@@ -84,10 +84,10 @@ fn answer(job: &Job, mut run: Run<'_>) -> anyhow::Result<Exit> {
         && need.bytes > limit as f64
     {
         bail!(
-            "{}: counting needs about {} of memory ({:.0} million states), --memory allows {}",
+            "{}: counting needs about {} of memory ({} states), --memory allows {}",
             describe(&job.rule),
             memory::words(need.bytes),
-            need.states / 1e6,
+            rounded(need.states),
             memory::words(limit as f64)
         );
     }
@@ -188,6 +188,11 @@ fn answer(job: &Job, mut run: Run<'_>) -> anyhow::Result<Exit> {
         })?;
     }
     Ok(Exit::of(total != BigUint::ZERO))
+}
+
+/// A number of which only the size is known.
+fn rounded(number: f64) -> String {
+    if number < 1e6 { format!("{number:.0}") } else { format!("{:.0} million", number / 1e6) }
 }
 
 /// Counts of a tile that occur, and their numbers.

@@ -5,11 +5,11 @@ use super::rule;
 use super::write::{rows_json, write};
 use crate::cli::args::DappleSampleArgs;
 use crate::cli::exit::Exit;
-use crate::cli::{output, session};
-use crate::dappled::count::{CountError, Sampler};
+use crate::cli::{memory, output, session};
+use crate::dappled::count::{CountError, Need, Sampler};
 use crate::dappled::notation::write_field;
 use crate::store::{check_writable, write_file};
-use anyhow::{anyhow, ensure};
+use anyhow::{anyhow, bail, ensure};
 use serde_json::json;
 use std::io::Write;
 
@@ -33,6 +33,16 @@ pub fn run(args: &DappleSampleArgs) -> anyhow::Result<Exit> {
         CountError::Memory { .. } => anyhow!("{}: {error} (--memory)", describe(&rule)),
         _ => anyhow!("{}: {error}", describe(&rule)),
     };
+    if let Some(need) = Need::of_tilings(&rule, given.as_ref())
+        && need.bytes > args.memory as f64
+    {
+        bail!(
+            "{}: drawing needs about {} of memory, --memory allows {}",
+            describe(&rule),
+            memory::words(need.bytes),
+            memory::words(args.memory as f64)
+        );
+    }
     let sampler = Sampler::new(&rule, given.as_ref(), args.memory).map_err(explain)?;
     let tilings = sampler.draw(args.number as usize, args.seed).map_err(explain)?;
     ensure!(

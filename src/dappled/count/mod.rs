@@ -2,10 +2,10 @@
 //!
 //! The cells are filled one after the other. What matters of those filled is how long the runs are
 //! that end at the rim: a state, of which there are few, and each carries the number of its fillings
-//! ([`sweep`]). One step changes one digit of a state; sorted states stay sorted on the way, so that
-//! nothing is ever looked up ([`merge`]). Lines are automata ([`line`]): limits of any kind, sets of
+//! (`sweep`). One step changes one digit of a state; sorted states stay sorted on the way, so that
+//! nothing is ever looked up (`merge`). Lines are automata (`line`): limits of any kind, sets of
 //! tiles, cells given, and rows that meet their own end differ only there. Columns that meet their end
-//! are counted start by start ([`turns`]). [`Sampler`] goes the same way backwards.
+//! are counted start by start (`turns`). [`Sampler`] goes the same way backwards.
 //!
 //! * [`Counting`] is a count that can be stopped, saved and gone on with at any cell;
 //! * [`numbers`] counts small rectangles by how often a tile occurs.
@@ -61,7 +61,7 @@ pub enum CountError {
         columns: usize,
     },
     /// More memory than there may be.
-    #[error("counting needs {} of memory, the limit is {}", mebibytes(*.need), mebibytes(*.limit))]
+    #[error("counting needs {} of memory, the limit is {}", spoken(*.need), spoken(*.limit))]
     Memory {
         /// What is needed, at least.
         need: usize,
@@ -71,10 +71,11 @@ pub enum CountError {
 }
 
 /// Bytes in words.
-fn mebibytes(bytes: usize) -> String {
+fn spoken(bytes: usize) -> String {
     match bytes >> 20 {
-        0..=9999 => format!("{} MiB", (bytes >> 20).max(1)),
-        more => format!("{:.1} GiB", more as f64 / 1024.0),
+        0 => format!("{} KiB", bytes.div_ceil(1024)),
+        mebibytes @ 1..9999 => format!("{mebibytes} MiB"),
+        mebibytes => format!("{:.1} GiB", mebibytes as f64 / 1024.0),
     }
 }
 

@@ -30,7 +30,7 @@ pub struct Sampler {
 
 #[derive(Debug)]
 enum Work {
-    Once(Kept),
+    Once(Box<Kept>),
     /// Columns that meet their end: starts, and how many fillings lead back to each.
     Turns(Vec<Image>, Vec<(Start, BigUint)>),
 }
@@ -57,7 +57,7 @@ impl Sampler {
         if !plane.columns_meet() {
             let kept = Kept::new(Sweep::of(&plane, None, false)?, memory)?;
             let total = kept.total.clone();
-            return Ok(Self { plane, blank, memory, total, work: Work::Once(kept) });
+            return Ok(Self { plane, blank, memory, total, work: Work::Once(Box::new(kept)) });
         }
         let images = turns::images(&plane, None);
         let mut lines = Lines::default();
@@ -179,7 +179,7 @@ fn below(bound: &BigUint, random: &mut impl Rng) -> BigUint {
     loop {
         let words = bits.div_ceil(32);
         let mut digits: Vec<u32> = (0..words).map(|_| random.next_u32()).collect();
-        if let (Some(last), true) = (digits.last_mut(), bits % 32 > 0) {
+        if let (Some(last), true) = (digits.last_mut(), !bits.is_multiple_of(32)) {
             *last &= (1 << (bits % 32)) - 1;
         }
         let number = BigUint::new(digits);

@@ -90,8 +90,12 @@ impl Table {
         }
         let limbs = self.limbs;
         for chunk in &mut self.chunks {
-            let wider = chunk.numbers.chunks(limbs).flat_map(|number| number.iter().chain(&[0]));
-            chunk.numbers = wider.copied().collect();
+            let mut wider = Vec::with_capacity(chunk.numbers.len() / limbs * (limbs + 1));
+            for number in chunk.numbers.chunks(limbs) {
+                wider.extend_from_slice(number);
+                wider.push(0);
+            }
+            chunk.numbers = wider;
         }
         (self.limbs, self.highest) = (limbs + 1, 0);
     }
