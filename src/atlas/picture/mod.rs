@@ -5,10 +5,12 @@
 //! ([`digits`]): no fonts, so that every program shows the same.
 //!
 //! * [`marks`] draws a tile: four triangles (Wang) or four quarters of discs (corner tiles);
+//! * [`mod@field`] draws fields of tiles;
 //! * [`sheets`] puts tiles together: preview, contact sheet, tiling; [`mod@wall`] are bricks and
 //!   mortar; [`flow`] draws streams through dappled tilings.
 
 pub mod digits;
+pub mod field;
 pub mod flow;
 pub mod marks;
 pub mod path;

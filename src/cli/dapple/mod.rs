@@ -4,6 +4,7 @@
 pub mod check;
 pub mod count;
 pub mod decide;
+pub mod draw;
 pub mod flow;
 mod job;
 pub mod make;
@@ -26,6 +27,7 @@ pub fn run(command: &DappleCommand) -> anyhow::Result<Exit> {
         DappleCommand::Decide(args) => decide::run(args),
         DappleCommand::Count(args) => count::run(args),
         DappleCommand::Sample(args) => sample::run(args),
+        DappleCommand::Draw(args) => draw::run(args),
         DappleCommand::Flow(args) => flow::run(args),
     }
 }

@@ -125,6 +125,17 @@ Exit codes: 0 built or counted, 1 there is no such wall, 75 stopped, or no label
 JSON fields (--json): result (built, counted, none or stopped), method, width, height, positions, \
 set_size (how many brick Wang tiles there are), seed, file, set_file, tiles_file, tiles (without -o; \
 their numbers by row); walls (--count, a string of digits); reason where there is none.";
+/// Examples for `dapple draw`.
+pub const DAPPLE_DRAW: &str = "\
+Examples:
+  tilepack dapple make --size 32x16 -o tiling.txt
+  tilepack dapple draw tiling.txt -o tiling.svg --cell-size 12
+  tilepack dapple make --from tiling.txt --limits 3,3 --cyclic -o cyclic.txt
+  tilepack dapple draw cyclic.txt --against tiling.txt -o changes.png
+
+JSON fields (--json): result (drawn), width, height, differ (cells that differ, null without --against), \
+file.";
+
 /// Examples for `dapple flow`.
 pub const DAPPLE_FLOW: &str = "\
 Every row and every column is a street, by turns in both directions. Where tile 0 stands the two \

@@ -2,12 +2,14 @@
 
 mod count;
 mod decide;
+mod draw;
 mod flow;
 mod make;
 mod rule;
 
 pub use count::{DappleCountArgs, DappleSampleArgs};
 pub use decide::DappleDecideArgs;
+pub use draw::DappleDrawArgs;
 pub use flow::DappleFlowArgs;
 pub use make::{DappleMakeArgs, OrderArg, StartArg};
 pub use rule::{DappleCheckArgs, RuleArgs};
@@ -33,6 +35,9 @@ pub enum DappleCommand {
     /// Draw random dappled tilings, all equally likely
     #[command(after_help = help::DAPPLE_SAMPLE)]
     Sample(DappleSampleArgs),
+    /// Draw a tiling, and where it differs from another
+    #[command(after_help = help::DAPPLE_DRAW)]
+    Draw(DappleDrawArgs),
     /// Draw streams through a tiling by two tiles
     #[command(after_help = help::DAPPLE_FLOW)]
     Flow(DappleFlowArgs),
