@@ -4,5 +4,6 @@
 
 mod decide;
 mod exact;
+mod flow;
 #[path = "../sat/proof.rs"]
 mod proof;
