@@ -10,6 +10,7 @@ mod decide;
 mod exact;
 mod make;
 mod oracle;
+mod flow;
 #[path = "../sat/proof.rs"]
 mod proof;
 mod random;

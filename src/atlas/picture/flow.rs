@@ -25,8 +25,9 @@ const COLORS: [[u8; 3]; 7] = [
 /// How wide a ribbon is, and with the gaps beside it where it goes over another.
 const RIBBON: f64 = 0.34;
 const GAP: f64 = 0.5;
-/// How far a ribbon that goes over reaches from the middle of a cell, and how far its gaps do.
-const REACH: (f64, f64) = (0.42, 0.2);
+/// How far a ribbon that goes over reaches from the middle of a cell, before its round end; how far
+/// its light does, and its gaps.
+const REACH: [f64; 3] = [0.34, 0.47, 0.2];
 /// The light along the middle of a ribbon: width, and opacity in percent.
 const LIGHT: (f64, u8) = (0.08, 28);
 
@@ -110,7 +111,7 @@ pub fn scene(field: &Field, flow: &Flow) -> Scene {
             if into == out && even == (strand % 2 == 0) {
                 let middle = ((from.0 + to.0) / 2.0, (from.1 + to.1) / 2.0);
                 for (path, reach) in
-                    [(&mut over[color], REACH.0), (&mut light_over, REACH.0), (&mut gaps, REACH.1)]
+                    [&mut over[color], &mut light_over, &mut gaps].into_iter().zip(REACH)
                 {
                     path.move_to((middle.0 - reach * into.0, middle.1 - reach * into.1));
                     path.line_to((middle.0 + reach * into.0, middle.1 + reach * into.1));
@@ -164,6 +165,7 @@ pub fn page(
     );
     let text = include_str!("flow.html")
         .replace("@title@", &crate::atlas::formats::escape(title))
+        .replace("@ratio@", &super::svg::number(field.width() as f64 / field.height() as f64))
         .replace("@data@", &data)
         .replace("@picture@", &picture);
     out.write_all(text.as_bytes())

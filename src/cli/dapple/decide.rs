@@ -155,6 +155,9 @@ impl Task<'_> {
     fn tell_found(&self, tiling: &Field, count: Option<(u8, u32)>) -> anyhow::Result<Exit> {
         let args = self.args;
         let with = count.map_or(String::new(), |(tile, n)| format!(", {n} of tile {tile}"));
+        if let Some(file) = &args.proof {
+            output::remark(&format!("{}: not written: there is a completion", file.display()));
+        }
         let (width, height) = (tiling.width(), tiling.height());
         let given = number(self.filled as u64, "given cell");
         let about = format!("dappled tiling, {width}x{height}, {given}{with}, found by search");
