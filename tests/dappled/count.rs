@@ -200,3 +200,28 @@ fn wide_fields_that_are_nearly_full() {
     }
     assert_eq!(count(&rule, Some(&given)).unwrap(), expected.into());
 }
+
+/// However many threads there are, what is saved is the same to the last byte.
+#[test]
+fn threads_make_no_difference() {
+    let rule = Rule::uniform((10, 10), 2, Edges::Free, Some(2), Some(2)).unwrap();
+    let saved = |threads| {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+        pool.install(|| {
+            let mut counting = Counting::new(&rule, None, None, MEMORY).unwrap();
+            let mut bytes = Vec::new();
+            for _ in 0..37 {
+                counting.step().unwrap();
+            }
+            counting.save(&mut bytes).unwrap();
+            while !counting.is_done() {
+                counting.step().unwrap();
+            }
+            (bytes, counting.numbers())
+        })
+    };
+    let one = saved(1);
+    assert!(one.0.len() > 16 * 20_000, "{}", one.0.len());
+    assert_eq!(one.1, ["36133311325799774".parse::<BigUint>().unwrap()]);
+    assert!([2, 3, 5].into_iter().all(|threads| saved(threads) == one));
+}
