@@ -29,6 +29,10 @@ pub fn run(args: &BrickArgs) -> anyhow::Result<Exit> {
             "which wall? Expected --size WxH, --labels FILE or --region FILE"
         );
     }
+    if let Some(file) = args.output.as_ref().filter(|file| write::ends_with(file, "json")) {
+        let file = file.display();
+        ensure!(args.cyclic, "{file}: JSON is for walls that repeat: expected --cyclic");
+    }
     if args.count {
         return counted(args);
     }

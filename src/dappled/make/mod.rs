@@ -208,3 +208,21 @@ fn in_order(cells: &Shared, step: &impl Step, order: Order) {
         Order::Wavefront => schedule::wavefront(cells.size(), step),
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn two_words_are_a_tiling() {
+        for width in 1..14 {
+            for height in 1..14 {
+                let rule =
+                    Rule::uniform((width, height), 2, Edges::Torus, Some(2), Some(2)).unwrap();
+                let found = words(&rule);
+                assert_eq!(found.is_some(), width > 1 && height > 1);
+                assert!(found.is_none_or(|field| rule.accepts(&field)), "{width}x{height}");
+            }
+        }
+    }
+}
