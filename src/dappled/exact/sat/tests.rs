@@ -1,3 +1,5 @@
+//! The solver against all values, and a formula that needs it to learn and forget.
+
 use super::*;
 
 /// A formula of random clauses, as lists of signed variables from 1.
