@@ -1,4 +1,4 @@
-//! `brick`: walls of brick Wang tiles. [`wall`] makes them, [`write`] puts them out, along with the
+//! `brick`: walls of brick Wang tiles. `wall` makes them, `write` puts them out, along with the
 //! tiles themselves.
 
 mod wall;

@@ -1,7 +1,7 @@
 //! Any field made into a dappled tiling, in one pass where that can be.
 //!
 //! * [`scheme`] says which algorithm a rule allows;
-//! * [`pair`] is Algorithm 1 for two labels, [`greedy`] the simpler one for more, both on [`lines`]
+//! * [`mod@pair`] is Algorithm 1 for two labels, [`greedy`] the simpler one for more, both on [`lines`]
 //!   that count how tiles repeat, in an order of [`schedule`];
 //! * [`cyclic`] is Algorithm 2, for edges that meet;
 //! * [`repair`] is exact: for edges that meet where Algorithm 2 has nothing to say, for limits of 1,
