@@ -47,7 +47,8 @@ fn visit(
                 Limit::Same(limit) => *limit,
                 Limit::Map(map) => map[first..first + width].iter().copied().min().unwrap_or(0),
             };
-            if !runs.iter().any(|&run| run > least) && !(meets && length <= least as usize) {
+            let maybe = runs.iter().any(|&run| run > least) || meets && length <= least as usize;
+            if !maybe {
                 continue;
             }
             for (column, &run) in runs.iter().enumerate() {

@@ -112,7 +112,7 @@ fn dappled(size: (usize, usize), edges: Edges, limits: (u32, u32), seed: u64) ->
     start::fill_randomly(&mut field, 2, seed);
     match make(&rule, field, Options { order: Order::Diagonal, seed }, &()).unwrap() {
         Made::Tiling(field, _) => field,
-        other => panic!("{other:?}"),
+        other => unreachable!("{other:?}"),
     }
 }
 

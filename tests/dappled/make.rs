@@ -21,7 +21,7 @@ fn field(size: (usize, usize), tiles: usize, seed: u64) -> Field {
 fn made(rule: &Rule, start: Field, order: Order) -> (Field, How) {
     match make(rule, start, options(order), &()).unwrap() {
         Made::Tiling(field, how) => (field, how),
-        other => panic!("{other:?}"),
+        other => unreachable!("{other:?}"),
     }
 }
 

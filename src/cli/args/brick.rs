@@ -38,8 +38,8 @@ pub struct BrickArgs {
     /// Count the walls instead: of all labels, or of those of --labels
     #[arg(long, conflicts_with_all = ["region", "limits", "output"], help_heading = "Result")]
     pub count: bool,
-    /// Write the wall to this file: a picture (.svg or .png), or its tiles (.json, else text), as a
-    /// covering by the tiles that occur
+    /// Write the wall to this file: a picture (.svg or .png), or the numbers of its tiles as text;
+    /// those of a wall that repeats as a covering by the tiles that occur (.json, else text)
     #[arg(short, long, value_name = "FILE", help_heading = "Result")]
     pub output: Option<PathBuf>,
     /// Texels to a tile, in pictures

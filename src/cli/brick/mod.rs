@@ -1,4 +1,4 @@
-//! `brick`: walls of brick Wang tiles. [`wall`] makes them, [`write`] puts them out, along with the
+//! `brick`: walls of brick Wang tiles. `wall` makes them, `write` puts them out, along with the
 //! tiles themselves.
 
 mod wall;
@@ -28,6 +28,10 @@ pub fn run(args: &BrickArgs) -> anyhow::Result<Exit> {
             (args.set_out.is_some() || args.tiles_out.is_some()) && args.output.is_none(),
             "which wall? Expected --size WxH, --labels FILE or --region FILE"
         );
+    }
+    if let Some(file) = args.output.as_ref().filter(|file| write::ends_with(file, "json")) {
+        let file = file.display();
+        ensure!(args.cyclic, "{file}: JSON is for walls that repeat: expected --cyclic");
     }
     if args.count {
         return counted(args);

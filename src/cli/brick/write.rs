@@ -8,7 +8,7 @@ use crate::cli::output;
 use crate::dappled::brick::{self, Wall};
 use crate::store::{self, write_file, write_grid, write_solution, write_tile_set};
 use crate::tiles::{Colors, Kind, Members, TileId, TileSet};
-use crate::torus::{Board, Packing, Shape, Topology};
+use crate::torus::{Packing, Shape};
 use anyhow::{Context, ensure};
 use serde_json::{Value, json};
 use std::collections::BTreeSet;
@@ -19,7 +19,7 @@ use std::path::Path;
 /// Texels of a picture at most.
 const MAX_TEXELS: usize = 1 << 28;
 
-fn ends_with(file: &Path, end: &str) -> bool {
+pub(super) fn ends_with(file: &Path, end: &str) -> bool {
     file.extension().is_some_and(|found| found.eq_ignore_ascii_case(end))
 }
 
@@ -117,10 +117,10 @@ fn number(wall: &Wall, column: usize, row: usize) -> anyhow::Result<TileId> {
     Ok(Kind::Wang.pack(&wall.tile(column, row), colors)?)
 }
 
-/// A wall without holes as a covering by the tiles that occur in it: a file that the other commands
+/// A wall that repeats as a covering by the tiles that occur in it: a file that the other commands
 /// read.
 fn covering(args: &BrickArgs, wall: &Wall) -> anyhow::Result<Option<Packing>> {
-    if args.region.is_some() {
+    if !args.cyclic {
         return Ok(None);
     }
     let tiles = wall.cells().map(|(column, row)| number(wall, column, row));
@@ -129,9 +129,7 @@ fn covering(args: &BrickArgs, wall: &Wall) -> anyhow::Result<Option<Packing>> {
     let members = Members::Explicit(members.into_iter().collect());
     let set = TileSet::new(Kind::Wang, Colors::one(wall.positions().into())?, members)?;
     let shape = Shape::new(wall.width() as u64, wall.height() as u64)?;
-    let topology = if args.cyclic { Topology::Torus } else { Topology::Rectangle };
-    let board = Board { topology, ..Board::default() };
-    Ok(Some(Packing { board, ..Packing::new(set, shape, true, tiles) }))
+    Ok(Some(Packing::new(set, shape, true, tiles)))
 }
 
 /// The numbers of the tiles as text; `.` outside.

@@ -80,12 +80,15 @@ pub fn run(args: &DappleMakeArgs) -> anyhow::Result<Exit> {
         }
         output::object(&fields)?;
     } else if !args.quiet {
+        let rate = match cells < 1_000_000 {
+            true => String::new(),
+            false => format!("{:.0} million cells a second; ", rate / 1e6),
+        };
         output::remark(&format!(
-            "{}x{} cells, {changed} changed, by {how}; all limits checked; {:.0} million cells a \
-             second ({start_seconds:.3} s for the start, {seconds:.3} s from there)",
+            "{}x{} cells, {changed} changed, by {how}; all limits checked; {rate}{start_seconds:.3} s \
+             for the start, {seconds:.3} s from there",
             tiling.width(),
-            tiling.height(),
-            rate / 1e6
+            tiling.height()
         ));
     }
     Ok(Exit::Yes)

@@ -1,6 +1,6 @@
 //! Walls whose h-tiles and v-tiles are given.
 //!
-//! Every row and every column is a walk of its own ([`super::walk`]), so that walls are made, chosen
+//! Every row and every column is a walk of its own (`walk`), so that walls are made, chosen
 //! all alike, and counted line by line. With three positions or more the only lines without a walk
 //! are those with no move between different ends, and with one move between equal ends. So if every
 //! row has two v-tiles and every column two h-tiles, **every** boundary goes on into a wall; that is

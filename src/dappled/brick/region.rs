@@ -169,8 +169,8 @@ impl Filling {
     /// Fills the cells of a cycle, whose other edges are known.
     fn close(&mut self, cycle: &[(Cell, Side)]) -> Option<()> {
         let entry = |at: usize| opposite(cycle[(at + cycle.len() - 1) % cycle.len()].1);
-        for at in 0..cycle.len() {
-            self.scatter(cycle[at].0, &[entry(at), cycle[at].1]);
+        for (at, &(cell, leaving)) in cycle.iter().enumerate() {
+            self.scatter(cell, &[entry(at), leaving]);
         }
         // What leaves a cell, by what enters it.
         let step = |filling: &Self, at: usize, mut set: u64| {

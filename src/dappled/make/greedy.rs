@@ -73,7 +73,7 @@ impl Step for Pass<'_> {
 
 /// One of the tiles of a set that is not empty, all of them alike.
 pub fn choose(mut set: u64, random: u64) -> u8 {
-    for _ in 0..(random >> 32) * u64::from(set.count_ones()) >> 32 {
+    for _ in 0..((random >> 32) * u64::from(set.count_ones())) >> 32 {
         set &= set - 1;
     }
     set.trailing_zeros() as u8

@@ -76,7 +76,7 @@ impl Shared {
     pub fn new(field: &Field) -> Self {
         let (width, height) = (field.width(), field.height());
         // An odd number of lines.
-        let stride = (width / LINE + 1 | 1) * LINE;
+        let stride = ((width / LINE + 1) | 1) * LINE;
         let mut cells = Vec::with_capacity(stride * height);
         for row in field.rows() {
             cells.extend(row.iter().map(|&tile| AtomicU8::new(tile)));

@@ -1,7 +1,7 @@
 //! Any field made into a dappled tiling, in one pass where that can be.
 //!
 //! * [`scheme`] says which algorithm a rule allows;
-//! * [`pair`] is Algorithm 1 for two labels, [`greedy`] the simpler one for more, both on [`lines`]
+//! * [`mod@pair`] is Algorithm 1 for two labels, [`greedy`] the simpler one for more, both on [`lines`]
 //!   that count how tiles repeat, in an order of [`schedule`];
 //! * [`cyclic`] is Algorithm 2, for edges that meet;
 //! * [`repair`] is exact: for edges that meet where Algorithm 2 has nothing to say, for limits of 1,
@@ -206,5 +206,23 @@ fn in_order(cells: &Shared, step: &impl Step, order: Order) {
     match order {
         Order::Diagonal => schedule::diagonal(cells.size(), step),
         Order::Wavefront => schedule::wavefront(cells.size(), step),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn two_words_are_a_tiling() {
+        for width in 1..14 {
+            for height in 1..14 {
+                let rule =
+                    Rule::uniform((width, height), 2, Edges::Torus, Some(2), Some(2)).unwrap();
+                let found = words(&rule);
+                assert_eq!(found.is_some(), width > 1 && height > 1);
+                assert!(found.is_none_or(|field| rule.accepts(&field)), "{width}x{height}");
+            }
+        }
     }
 }
