@@ -8,9 +8,9 @@ mod count;
 mod counting;
 mod decide;
 mod exact;
+mod flow;
 mod make;
 mod oracle;
-mod flow;
 #[path = "../sat/proof.rs"]
 mod proof;
 mod random;
