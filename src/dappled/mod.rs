@@ -15,6 +15,7 @@
 //!
 //! Source: Kaji, Derouet-Jourdan, Ochiai, *Dappled tiling*, 2016.
 
+pub mod closest;
 mod field;
 pub mod notation;
 mod rule;

@@ -1,0 +1,3 @@
+//! x
+pub mod board; pub mod machine; pub mod strip; pub mod dual;
+pub mod lns;
