@@ -126,6 +126,11 @@ impl Board {
         }
     }
 
+    /// The line of a direction that a cell lies on.
+    pub fn line(&self, along: usize, cell: usize) -> usize {
+        [cell / self.width, cell % self.width][along]
+    }
+
     /// What a tile costs in a cell.
     pub fn cost(&self, cell: usize, tile: usize) -> Cost {
         self.costs[cell * self.tiles + tile]

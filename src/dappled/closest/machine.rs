@@ -9,7 +9,7 @@
 //! counts runs up to the longest limit, and [`Strip`](super::strip::Strip) says which states may
 //! not be at which place.
 
-use super::board::{Board, ENDLESS};
+use super::board::{Board, Cost, ENDLESS, NEVER};
 use std::collections::HashMap;
 
 /// States and the steps between them.
@@ -104,6 +104,22 @@ impl Machine {
     /// The states that may come after this one.
     pub fn after(&self, state: usize) -> &[u32] {
         &self.after[self.after_from[state] as usize..self.after_from[state + 1] as usize]
+    }
+
+    /// The least cost of the predecessors of each state.
+    pub fn least_before(&self, costs: &[Cost], least: &mut [Cost]) {
+        for (least, group) in least.iter_mut().zip(self.before_from.windows(2)) {
+            let group = &self.before[group[0] as usize..group[1] as usize];
+            *least = group.iter().map(|&from| costs[from as usize]).min().unwrap_or(NEVER);
+        }
+    }
+
+    /// The least cost of the successors of each state.
+    pub fn least_after(&self, costs: &[Cost], least: &mut [Cost]) {
+        for (least, group) in least.iter_mut().zip(self.after_from.windows(2)) {
+            let group = &self.after[group[0] as usize..group[1] as usize];
+            *least = group.iter().map(|&to| costs[to as usize]).min().unwrap_or(NEVER);
+        }
     }
 }
 
