@@ -1,3 +1,2 @@
 //! x
-pub mod board; pub mod machine; pub mod strip; pub mod dual;
-pub mod lns;
+pub mod board; pub mod machine; pub mod strip; pub mod dual; pub mod mend; pub mod solve;
