@@ -7,22 +7,22 @@
 use crate::dappled::{Direction, Rule};
 
 /// Costs; [`NEVER`] is that of what may not be. Sums of a few of them do not overflow.
-pub type Cost = i64;
+pub(super) type Cost = i64;
 
 /// The cost of what may not be.
-pub const NEVER: Cost = Cost::MAX / 8;
+pub(super) const NEVER: Cost = Cost::MAX / 8;
 
 /// Whether a cost is that of something that may be.
-pub fn may_be(cost: Cost) -> bool {
+pub(super) fn may_be(cost: Cost) -> bool {
     cost < NEVER / 2
 }
 
 /// No limit.
-pub const ENDLESS: u32 = u32::MAX;
+pub(super) const ENDLESS: u32 = u32::MAX;
 
 /// A set of tiles with its limits.
 #[derive(Debug, Clone)]
-pub struct Runs {
+pub(super) struct Runs {
     /// The tiles, a bit each.
     pub set: u64,
     /// The limit of each cell, or one for all.
@@ -31,25 +31,25 @@ pub struct Runs {
 
 impl Runs {
     /// How long a run that ends in a cell may be.
-    pub fn limit(&self, cell: usize) -> u32 {
+    pub(super) fn limit(&self, cell: usize) -> u32 {
         if self.limits.len() == 1 { self.limits[0] } else { self.limits[cell] }
     }
 
     /// The limit of all cells, if they have the same.
-    pub fn uniform(&self) -> Option<u32> {
+    pub(super) fn uniform(&self) -> Option<u32> {
         let first = self.limits[0];
         self.limits.iter().all(|&limit| limit == first).then_some(first)
     }
 
     /// The longest run that some limit allows; limits that allow any are left out.
-    pub fn longest(&self) -> u32 {
+    pub(super) fn longest(&self) -> u32 {
         self.limits.iter().copied().filter(|&limit| limit != ENDLESS).max().unwrap_or(0)
     }
 }
 
 /// Cells, costs and limits.
 #[derive(Debug, Clone)]
-pub struct Board {
+pub(super) struct Board {
     pub width: usize,
     pub height: usize,
     pub tiles: usize,
@@ -62,7 +62,7 @@ pub struct Board {
 }
 
 /// The number of a direction.
-pub fn index(direction: Direction) -> usize {
+pub(super) fn index(direction: Direction) -> usize {
     match direction {
         Direction::Horizontal => 0,
         Direction::Vertical => 1,
@@ -71,7 +71,7 @@ pub fn index(direction: Direction) -> usize {
 
 impl Board {
     /// A rule with the costs of tiles, by cell, then by tile.
-    pub fn new(rule: &Rule, costs: Vec<Cost>) -> Self {
+    pub(super) fn new(rule: &Rule, costs: Vec<Cost>) -> Self {
         let (width, height) = (rule.width(), rule.height());
         let mut runs = [Vec::new(), Vec::new()];
         for condition in rule.conditions() {
@@ -104,40 +104,51 @@ impl Board {
     }
 
     /// Cells.
-    pub fn cells(&self) -> usize {
+    pub(super) fn cells(&self) -> usize {
         self.width * self.height
     }
 
     /// How long lines of a direction are.
-    pub fn length(&self, along: usize) -> usize {
+    pub(super) fn length(&self, along: usize) -> usize {
         [self.width, self.height][along]
     }
 
     /// How many lines of a direction there are.
-    pub fn lines(&self, along: usize) -> usize {
+    pub(super) fn lines(&self, along: usize) -> usize {
         [self.height, self.width][along]
     }
 
     /// The cell of a line at a place along it.
-    pub fn cell(&self, along: usize, line: usize, at: usize) -> usize {
+    pub(super) fn cell(&self, along: usize, line: usize, at: usize) -> usize {
         match along {
             0 => line * self.width + at,
             _ => at * self.width + line,
         }
     }
 
+    /// The longest run of lines of a direction that some limit allows.
+    pub(super) fn longest(&self, along: usize) -> usize {
+        self.runs[along].iter().map(|set| set.longest() as usize).max().unwrap_or(0)
+    }
+
+    /// Whether more than one tile may be in a cell.
+    pub(super) fn is_open(&self, cell: usize) -> bool {
+        let costs = &self.costs[cell * self.tiles..][..self.tiles];
+        costs.iter().filter(|&&cost| may_be(cost)).count() > 1
+    }
+
     /// The line of a direction that a cell lies on.
-    pub fn line(&self, along: usize, cell: usize) -> usize {
+    pub(super) fn line(&self, along: usize, cell: usize) -> usize {
         [cell / self.width, cell % self.width][along]
     }
 
     /// What a tile costs in a cell.
-    pub fn cost(&self, cell: usize, tile: usize) -> Cost {
+    pub(super) fn cost(&self, cell: usize, tile: usize) -> Cost {
         self.costs[cell * self.tiles + tile]
     }
 
     /// What all cells cost together.
-    pub fn total(&self, cells: &[u8]) -> Cost {
+    pub(super) fn total(&self, cells: &[u8]) -> Cost {
         cells.iter().enumerate().map(|(cell, &tile)| self.cost(cell, usize::from(tile))).sum()
     }
 }

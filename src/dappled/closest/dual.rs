@@ -22,7 +22,7 @@ use std::sync::Arc;
 
 /// Strips of the same height along one direction.
 #[derive(Debug, Clone)]
-pub struct System {
+pub(super) struct System {
     machine: Arc<Machine>,
     parts: Vec<Part>,
     /// The overlaps of strips, in order.
@@ -38,7 +38,7 @@ pub struct System {
 
 /// A strip with its share of the costs.
 #[derive(Debug, Clone)]
-struct Part {
+pub(super) struct Part {
     strip: Strip,
     /// What slices cost, by place, then by slice.
     costs: Vec<Cost>,
@@ -80,7 +80,7 @@ enum Past {
 }
 
 /// Costs by cell, then by tile, on their way from one system to another; none is negative.
-pub type Pool = Vec<Cost>;
+pub(super) type Pool = Vec<Cost>;
 
 impl Overlap {
     fn new(machine: &Machine, lines: usize) -> Self {
@@ -108,7 +108,7 @@ fn firsts(board: &Board, along: usize, lines: usize, stride: usize) -> Vec<usize
 impl System {
     /// Strips of the machine's height, of which the next begins `stride` lines later; `cost` says
     /// what is divided among them, by cell and tile.
-    pub fn new(
+    pub(super) fn new(
         board: &Board,
         along: usize,
         machine: Arc<Machine>,
@@ -170,6 +170,35 @@ impl System {
         system
     }
 
+    /// The machine of all strips.
+    pub(super) fn machine(&self) -> &Arc<Machine> {
+        &self.machine
+    }
+
+    /// The strips, in order.
+    pub(super) fn parts(&self) -> &[Part] {
+        &self.parts
+    }
+
+    /// Keeps tiles that are told out of a cell.
+    pub(super) fn bar(&mut self, board: &Board, cell: usize, out: impl Fn(usize) -> bool) {
+        let slices = self.machine.slices.len();
+        for part in &mut self.parts {
+            let line = board.line(part.strip.along, cell);
+            let Some(line) = part.strip.lines.iter().position(|&of_all| of_all == line) else {
+                continue;
+            };
+            let at = board.line(1 - part.strip.along, cell);
+            let costs = &mut part.costs[at * slices..];
+            for (cost, slice) in costs.iter_mut().zip(&self.machine.slices) {
+                if out(usize::from(slice[line])) {
+                    *cost = NEVER;
+                }
+            }
+        }
+        self.backward(false);
+    }
+
     /// The place that is read so manieth.
     fn place(&self, step: usize) -> usize {
         let begin = self.cuts.map_or(0, |cuts| cuts[self.phase]);
@@ -184,7 +213,7 @@ impl System {
 
     /// Reads all strips forward, evening out; gives the bound. Takes what is in the pool, and puts
     /// half of what tiles cost more than others in.
-    pub fn forward(&mut self, board: &Board, mut pool: Option<&mut Pool>) -> Cost {
+    pub(super) fn forward(&mut self, board: &Board, mut pool: Option<&mut Pool>) -> Cost {
         let mut bound = 0;
         for step in 0..self.length {
             let at = self.place(step);
@@ -225,7 +254,7 @@ impl System {
     }
 
     /// Reads all strips backward, evening out if asked to. The next round begins at the other cut.
-    pub fn backward(&mut self, even: bool) {
+    pub(super) fn backward(&mut self, even: bool) {
         for step in (0..self.length).rev() {
             let (at, next) = (self.place(step), self.place(step + 1));
             let cut = self.cut(step + 1);
@@ -354,6 +383,11 @@ impl System {
 }
 
 impl Part {
+    /// The strip, what its slices cost now, and the states that are barred.
+    pub(super) fn view(&self) -> (&Strip, &[Cost], &[bool]) {
+        (&self.strip, &self.costs, &self.barred)
+    }
+
     /// The message of a place.
     fn message(&self, machine: &Machine, at: usize) -> &[Cost] {
         &self.messages[at * machine.states()..][..machine.states()]

@@ -13,8 +13,8 @@ use super::board::{Board, Cost, ENDLESS, NEVER};
 use std::collections::HashMap;
 
 /// States and the steps between them.
-#[derive(Debug)]
-pub struct Machine {
+#[derive(Debug, Default)]
+pub(super) struct Machine {
     /// Lines of a strip.
     pub lines: usize,
     /// Tiles of each slice, the first line's first.
@@ -33,13 +33,10 @@ pub struct Machine {
     after: Vec<u32>,
 }
 
-/// Steps of a machine at most; memory and time are as many.
-pub const MOST_STEPS: usize = 1 << 23;
-
 impl Machine {
     /// The machine of strips of so many lines along a direction; none if it has more than this
     /// many steps.
-    pub fn new(board: &Board, along: usize, lines: usize, most: usize) -> Option<Self> {
+    pub(super) fn new(board: &Board, along: usize, lines: usize, most: usize) -> Option<Self> {
         let slices = slices(board, 1 - along, lines, most)?;
         let sets = &board.runs[along];
         let longest: Vec<u32> = sets.iter().map(|set| set.longest()).collect();
@@ -87,27 +84,22 @@ impl Machine {
     }
 
     /// How many states there are.
-    pub fn states(&self) -> usize {
+    pub(super) fn states(&self) -> usize {
         self.slice.len()
     }
 
-    /// How many steps there are.
-    pub fn steps(&self) -> usize {
-        self.after.len()
-    }
-
     /// The states that may come before this one.
-    pub fn before(&self, state: usize) -> &[u32] {
+    pub(super) fn before(&self, state: usize) -> &[u32] {
         &self.before[self.before_from[state] as usize..self.before_from[state + 1] as usize]
     }
 
     /// The states that may come after this one.
-    pub fn after(&self, state: usize) -> &[u32] {
+    pub(super) fn after(&self, state: usize) -> &[u32] {
         &self.after[self.after_from[state] as usize..self.after_from[state + 1] as usize]
     }
 
     /// The least cost of the predecessors of each state.
-    pub fn least_before(&self, costs: &[Cost], least: &mut [Cost]) {
+    pub(super) fn least_before(&self, costs: &[Cost], least: &mut [Cost]) {
         for (least, group) in least.iter_mut().zip(self.before_from.windows(2)) {
             let group = &self.before[group[0] as usize..group[1] as usize];
             *least = group.iter().map(|&from| costs[from as usize]).min().unwrap_or(NEVER);
@@ -115,7 +107,7 @@ impl Machine {
     }
 
     /// The least cost of the successors of each state.
-    pub fn least_after(&self, costs: &[Cost], least: &mut [Cost]) {
+    pub(super) fn least_after(&self, costs: &[Cost], least: &mut [Cost]) {
         for (least, group) in least.iter_mut().zip(self.after_from.windows(2)) {
             let group = &self.after[group[0] as usize..group[1] as usize];
             *least = group.iter().map(|&to| costs[to as usize]).min().unwrap_or(NEVER);

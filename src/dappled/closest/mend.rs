@@ -9,8 +9,10 @@
 //! be long, stay, and are read again at the end.
 
 use super::board::{Board, Cost, ENDLESS, NEVER, may_be};
+use super::dual::System;
 use super::machine::Machine;
 use super::strip::Strip;
+use crate::dappled::FREE;
 use rand::RngExt;
 use rand_pcg::Pcg64;
 use std::sync::Arc;
@@ -18,25 +20,45 @@ use std::sync::Arc;
 /// Noise of all cells of a strip together is below one in `1 << NOISE` units of cost.
 const NOISE: u32 = 18;
 
+/// Costs of a strip stay below this power of two.
+const ROOM: u32 = 57;
+
+/// A strip to be filled: what slices cost, and which states may not be where.
+#[derive(Debug)]
+struct Job {
+    machine: Arc<Machine>,
+    strip: Strip,
+    table: Vec<Cost>,
+    barred: Vec<bool>,
+}
+
 /// Fills strips of a board, with room for its work.
 #[derive(Debug)]
-pub struct Mender {
+pub(super) struct Mender {
     /// Of strips along rows, and along columns.
     machines: [Arc<Machine>; 2],
     /// What a broken window costs.
-    pub penalty: Cost,
+    penalty: Cost,
+    /// As high as penalties go.
+    highest: Cost,
     messages: Vec<Cost>,
 }
 
 impl Mender {
     /// With machines along rows and along columns.
-    pub fn new(board: &Board, machines: [Arc<Machine>; 2]) -> Self {
-        let most = board.costs.iter().copied().filter(|&cost| may_be(cost)).max();
-        Self { machines, penalty: 4 * most.unwrap_or(0) + 1, messages: Vec::new() }
+    pub(super) fn new(board: &Board, machines: [Arc<Machine>; 2]) -> Self {
+        let costs = board.costs.iter().copied().filter(|&cost| may_be(cost));
+        let penalty = 4 * costs.max().unwrap_or(0) + 1;
+        Self { machines, penalty, highest: 64 * penalty, messages: Vec::new() }
+    }
+
+    /// Makes it dearer to break a window.
+    pub(super) fn harden(&mut self) {
+        self.penalty = (2 * self.penalty).min(self.highest);
     }
 
     /// Fills strips that overlap in random order, those along rows and those along columns.
-    pub fn sweep(&mut self, board: &Board, cells: &mut [u8], random: &mut Pcg64) {
+    pub(super) fn sweep(&mut self, board: &Board, cells: &mut [u8], random: &mut Pcg64) {
         let mut strips = Vec::new();
         for along in 0..2 {
             let (lines, all) = (self.machines[along].lines, board.lines(along));
@@ -57,45 +79,90 @@ impl Mender {
             strips.swap(last, random.random_range(0..=last));
         }
         for (along, first) in strips {
-            self.fill(board, cells, along, first, random);
+            self.fill(board, cells, (along, first), random);
         }
     }
 
     /// Fills a strip, if it can be filled.
-    fn fill(&mut self, board: &Board, cells: &mut [u8], along: usize, first: usize, random: &mut Pcg64) {
+    fn fill(
+        &mut self,
+        board: &Board,
+        cells: &mut [u8],
+        (along, first): (usize, usize),
+        random: &mut Pcg64,
+    ) {
         let machine = Arc::clone(&self.machines[along]);
         let strip = Strip::new(board, along, first, machine.lines);
-        let length = board.length(along);
-        let width = ((1 << NOISE) / (length * machine.lines) as Cost).max(1);
+        let size = board.length(along) * machine.lines;
+        let worst = 4 * size as u64 * self.penalty.unsigned_abs();
+        let noise = NOISE.min(ROOM.saturating_sub(worst.checked_ilog2().unwrap_or(0)));
+        let width = ((1 << noise) / size as Cost).max(1);
         let mut table = strip.table(board, &machine, |cell, tile| match board.cost(cell, tile) {
-            cost if may_be(cost) => (cost << NOISE) + random.random_range(0..width),
+            cost if may_be(cost) => (cost << noise) + random.random_range(0..width),
             _ => NEVER,
         });
-        self.cross(board, &strip, &machine, cells, &mut table);
+        self.cross(board, &strip, &machine, cells, (&mut table, noise));
         let barred = strip.barred(board, &machine);
+        self.all(board, &Job { machine, strip, table, barred }, cells, random);
+    }
+
+    /// Fills all strips of a system in turn, each at least cost by its own share, as those before
+    /// are filled where they overlap. Gives the cells, and those in which this was not possible.
+    pub(super) fn read(
+        &mut self,
+        board: &Board,
+        system: &System,
+        worst: Cost,
+        random: &mut Pcg64,
+    ) -> (Vec<u8>, Vec<usize>) {
+        let mut cells = vec![FREE; board.cells()];
+        let mut differ = Vec::new();
+        let count = system.parts().len();
+        let begin = random.random_range(0..count);
+        for number in (begin..count).chain((0..begin).rev()) {
+            let (strip, costs, barred) = system.parts()[number].view();
+            let machine = Arc::clone(system.machine());
+            let mut table = costs.to_vec();
+            for (at, table) in table.chunks_mut(machine.slices.len()).enumerate() {
+                for (slice, cost) in machine.slices.iter().zip(table) {
+                    let lines = slice.iter().enumerate().filter(|&(line, &tile)| {
+                        let cell = cells[strip.cell(board, line, at)];
+                        cell != FREE && cell != tile
+                    });
+                    *cost = (*cost + worst * lines.count() as Cost).min(NEVER);
+                }
+            }
+            let before = cells.clone();
+            let job = Job { machine, strip: strip.clone(), table, barred: barred.to_vec() };
+            if !self.all(board, &job, &mut cells, random) {
+                continue;
+            }
+            let changed = (0..cells.len()).filter(|&c| before[c] != FREE && before[c] != cells[c]);
+            differ.extend(changed);
+        }
+        (cells, differ)
+    }
+
+    /// Fills a strip, wherever a ring is cut.
+    fn all(&mut self, board: &Board, job: &Job, cells: &mut [u8], random: &mut Pcg64) -> bool {
+        let along = job.strip.along;
         if !board.meet[along] {
-            self.path(board, &machine, &strip, &table, &barred, cells, (0, 0));
-            return;
+            return self.path(board, job, cells, (0, 0));
         }
-        let longest = board.runs[along].iter().map(|set| set.longest() as usize).max().unwrap_or(0);
-        let ring = (random.random_range(0..length), longest.min(length));
-        if !self.path(board, &machine, &strip, &table, &barred, cells, ring) {
-            // What was to stay is broken.
-            self.path(board, &machine, &strip, &table, &barred, cells, (ring.0, 0));
-            self.path(board, &machine, &strip, &table, &barred, cells, ring);
-        }
+        let length = board.length(along);
+        let longest = board.longest(along).min(length);
+        let ring = (random.random_range(0..length), longest);
+        // If what was to stay is broken, it is filled first.
+        self.path(board, job, cells, ring)
+            || (self.path(board, job, cells, (ring.0, 0)) && self.path(board, job, cells, ring))
     }
 
     /// Fills a strip along a shortest path that begins at a place, and reads again so many places
     /// that stay.
-    #[expect(clippy::too_many_arguments, reason = "what a strip is")]
     fn path(
         &mut self,
         board: &Board,
-        machine: &Machine,
-        strip: &Strip,
-        table: &[Cost],
-        barred: &[bool],
+        Job { machine, strip, table, barred }: &Job,
         cells: &mut [u8],
         (begin, again): (usize, usize),
     ) -> bool {
@@ -147,12 +214,19 @@ impl Mender {
     }
 
     /// Adds penalties for windows across the edges of a strip.
-    fn cross(&self, board: &Board, strip: &Strip, machine: &Machine, cells: &[u8], table: &mut [Cost]) {
+    fn cross(
+        &self,
+        board: &Board,
+        strip: &Strip,
+        machine: &Machine,
+        cells: &[u8],
+        (table, noise): (&mut [Cost], u32),
+    ) {
         let (across, all, lines) = (1 - strip.along, board.lines(strip.along), machine.lines);
         if lines == all {
             return;
         }
-        let (slices, penalty) = (machine.slices.len(), self.penalty << NOISE);
+        let (slices, penalty) = (machine.slices.len(), self.penalty << noise);
         let meets = board.meet[across];
         let mut inside = Vec::new();
         for set in &board.runs[across] {

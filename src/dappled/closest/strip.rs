@@ -6,7 +6,7 @@ use super::machine::Machine;
 
 /// Lines of a board side by side, to be read along them.
 #[derive(Debug, Clone)]
-pub struct Strip {
+pub(super) struct Strip {
     /// 0 along rows, 1 along columns.
     pub along: usize,
     /// Its lines, in order.
@@ -15,19 +15,19 @@ pub struct Strip {
 
 impl Strip {
     /// So many lines from this one on, in a circle.
-    pub fn new(board: &Board, along: usize, first: usize, lines: usize) -> Self {
+    pub(super) fn new(board: &Board, along: usize, first: usize, lines: usize) -> Self {
         let all = board.lines(along);
         Self { along, lines: (0..lines).map(|line| (first + line) % all).collect() }
     }
 
     /// The cell of a line of the strip.
-    pub fn cell(&self, board: &Board, line: usize, at: usize) -> usize {
+    pub(super) fn cell(&self, board: &Board, line: usize, at: usize) -> usize {
         board.cell(self.along, self.lines[line], at)
     }
 
     /// What each slice costs at each place, by place, then by slice: the sum of `cost` by cell and
     /// tile, or [`NEVER`] if it breaks a limit across the strip.
-    pub fn table(
+    pub(super) fn table(
         &self,
         board: &Board,
         machine: &Machine,
@@ -75,7 +75,7 @@ impl Strip {
     }
 
     /// The states that may not be, by place, then by state; nothing if limits do not differ.
-    pub fn barred(&self, board: &Board, machine: &Machine) -> Vec<bool> {
+    pub(super) fn barred(&self, board: &Board, machine: &Machine) -> Vec<bool> {
         let sets = &board.runs[self.along];
         if sets.iter().all(|set| set.uniform().is_some()) {
             return Vec::new();
