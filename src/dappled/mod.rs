@@ -6,6 +6,8 @@
 //! than so many side by side*. A [`Rule`] holds them for a rectangle whose edges are free or meet.
 //!
 //! * [`Field`] is a tiling, or part of one; [`Rule`] what it must keep, and the obvious check;
+//! * [`exact`] completes partial tilings, or proves that they have no completion;
+//! * [`closest`] finds the nearest dappled tiling of a field, with proof;
 //! * [`notation`] reads limits, fields and maps of limits from text.
 //!
 //! **Where things are**: columns count from the west, rows from the north, both from 0.
@@ -16,6 +18,7 @@
 //! Source: Kaji, Derouet-Jourdan, Ochiai, *Dappled tiling*, 2016.
 
 pub mod closest;
+pub mod exact;
 mod field;
 pub mod notation;
 mod rule;

@@ -308,7 +308,8 @@ mod tests {
     use super::*;
 
     fn field(rows: &[&str]) -> Field {
-        let cells = rows.concat().bytes().map(|b| if b == b'?' { FREE } else { b - b'0' });
+        let text = rows.concat();
+        let cells = text.bytes().map(|b| if b == b'?' { FREE } else { b - b'0' });
         Field::new(rows[0].len(), rows.len(), cells.collect()).unwrap()
     }
 
@@ -322,7 +323,7 @@ mod tests {
         assert_eq!((fault.row, fault.column, fault.line, fault.set), (2, 3, "column", vec![1]));
         let torus = Rule::uniform((5, 3), 2, Edges::Torus, Some(2), Some(2)).unwrap();
         let fault = torus.first_fault(&field(&["00110", "11001", "01101"])).unwrap();
-        assert_eq!((fault.row, fault.column), (0, 0));
+        assert_eq!((fault.row, fault.column), (0, 1));
         assert!(free.first_fault(&field(&["0?11", "????", "0110"])).is_none());
     }
 

@@ -49,8 +49,23 @@ fn help_and_version() {
     let version = run("--version").exits(0);
     assert_eq!(version.stdout, format!("tilepack {}\n", env!("CARGO_PKG_VERSION")));
     for command in [
-        "", "find", "locate", "count", "list", "verify", "show", "sets", "cube", "walk", "export",
-        "import", "tile", "atlas", "lint",
+        "",
+        "find",
+        "locate",
+        "count",
+        "list",
+        "verify",
+        "show",
+        "sets",
+        "cube",
+        "walk",
+        "export",
+        "import",
+        "tile",
+        "atlas",
+        "lint",
+        "dapple",
+        "dapple decide",
     ] {
         for option in ["--help", "-h"] {
             let help = run(&format!("{command} {option}")).exits(0);
@@ -66,6 +81,7 @@ fn help_and_version() {
 fn the_examples_run() {
     let place = Place::new();
     place.write("begun.txt", "0 0 . .\n. . . .\n. . . .\n. . . .\n");
+    place.write("given.txt", "00...\n.....\n.11..\n.....\n..0..\n");
     place.run("find --kind corner --colors 4 --automorphism 4,0:1,2,3,0 --values random --quiet");
     let mut tried = 0;
     for command in [
@@ -82,6 +98,7 @@ fn the_examples_run() {
         "aperiodic sets",
         "aperiodic convert",
         "aperiodic patch",
+        "dapple decide",
     ] {
         let help = run(&format!("{command} --help")).stdout;
         for line in help.lines().filter(|line| line.starts_with("  tilepack ")) {

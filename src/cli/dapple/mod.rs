@@ -1,7 +1,8 @@
-//! `dapple`: tilings in which nothing repeats for too long. One file a command; [`rule`] reads what
-//! they have in common, [`write`] puts tilings out.
+//! `dapple`: tilings in which nothing repeats for too long. One file a command; `rule` reads what
+//! they have in common, `write` puts tilings out.
 
 pub mod check;
+pub mod decide;
 mod rule;
 mod write;
 
@@ -15,5 +16,6 @@ use super::exit::Exit;
 pub fn run(command: &DappleCommand) -> anyhow::Result<Exit> {
     match command {
         DappleCommand::Check(args) => check::run(args),
+        DappleCommand::Decide(args) => decide::run(args),
     }
 }

@@ -14,7 +14,7 @@ use std::path::Path;
 ///
 /// # Errors
 /// Limits that make no sense, or maps that cannot be read.
-pub fn rule(args: &RuleArgs, size: (usize, usize)) -> anyhow::Result<Rule> {
+pub(super) fn rule(args: &RuleArgs, size: (usize, usize)) -> anyhow::Result<Rule> {
     let tiles = usize::from(args.tiles);
     let limits = args.limits.iter().map(|text| notation::limit(text));
     let limits =
@@ -36,7 +36,7 @@ pub fn rule(args: &RuleArgs, size: (usize, usize)) -> anyhow::Result<Rule> {
 ///
 /// # Errors
 /// A file that cannot be read, or holds tiles that there are not.
-pub fn field(file: &Path, tiles: u8) -> anyhow::Result<Field> {
+pub(super) fn field(file: &Path, tiles: u8) -> anyhow::Result<Field> {
     let tiles = usize::from(tiles);
     if file.extension().is_some_and(|end| end.eq_ignore_ascii_case("png")) {
         let named = |error| anyhow!("{}: {error}", file.display());

@@ -15,7 +15,12 @@ use std::path::Path;
 ///
 /// # Errors
 /// A file that cannot be written.
-pub fn write(field: &Field, tiles: u8, output: Option<&Path>, about: &str) -> anyhow::Result<()> {
+pub(super) fn write(
+    field: &Field,
+    tiles: u8,
+    output: Option<&Path>,
+    about: &str,
+) -> anyhow::Result<()> {
     let tiles = usize::from(tiles);
     let Some(file) = output else {
         return output::result(|out| out.write_all(write_field(field, tiles).as_bytes()));
@@ -29,7 +34,7 @@ pub fn write(field: &Field, tiles: u8, output: Option<&Path>, about: &str) -> an
 }
 
 /// The rows of a tiling as JSON: arrays of tiles, `null` for a free cell.
-pub fn rows_json(field: &Field) -> Value {
+pub(super) fn rows_json(field: &Field) -> Value {
     let cell = |&tile: &u8| match tile {
         crate::dappled::FREE => Value::Null,
         tile => json!(tile),

@@ -19,3 +19,24 @@ Exit codes: 0 dappled, 1 not, or not complete.
 
 JSON fields (--json): result (dappled or not-dappled), width, height, free, error (null, or the first \
 run that is too long).";
+
+/// Examples for `dapple decide`.
+pub const DAPPLE_DECIDE: &str = "\
+A completion is found, or a proof that there is none, by a search that learns from contradictions; \
+what is found is checked from the definition. If there is none, standard output shows given cells \
+that have no completion, all others free: small, for without any one of them there would be a \
+completion.
+
+Examples:
+  tilepack dapple decide given.txt --cyclic
+  tilepack dapple decide given.txt --seed 7 -o tiling.png
+  tilepack dapple decide --size 12x12 --tiles 4 --limits inf,inf --limits 0+1:2,2 --limits 2+3:2,2
+  tilepack dapple decide --size 16x16 --count 1=85
+  tilepack dapple decide --size 10x10 --cyclic --counts 1
+
+Exit codes: 0 found, 1 impossible, 75 stopped before that was known.
+
+JSON fields (--json): result (found, impossible, stopped), width, height, given, seconds; found: tiles \
+(rows, null with -o), file; impossible: reason (of --count), core (rows, null for a free cell), \
+core_cells (column, row), minimal. --counts: result (complete, none, stopped), tile, possible and \
+undecided (first and last of each range), fewer and more (why there are none).";

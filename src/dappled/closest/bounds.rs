@@ -42,7 +42,7 @@ impl Bounds {
         let unit = 1 << FINEST.min(room);
         let strides = [0, 1].map(|along| stride(board, along, machines[along].lines));
         let alone = [prefer, 1 - prefer].into_iter().find(|&along| strides[along].is_some());
-        let used: Vec<usize> = alone.map_or(vec![0, 1], |along| vec![along]);
+        let alone = alone.filter(|_| std::env::var("BOTH").is_err()); let used: Vec<usize> = alone.map_or(vec![0, 1], |along| vec![along]);
         let share = used.len() as Cost;
         let systems = used.iter().enumerate().map(|(rank, &along)| {
             let machine = Arc::clone(&machines[along]);

@@ -98,7 +98,7 @@ impl<'a, S: Stop> Search<'a, S> {
             if self.is_done() || self.stop.should_stop() {
                 return;
             }
-            let mut left = if last { u64::MAX } else { NODES };
+            eprintln!("stage {stage} {} LB {} UB {}", self.rounds, self.bound, self.cost()); let mut left = if last { u64::MAX } else { 0 };
             if self.branch(bounds, self.board.clone(), &mut mender, &mut left) {
                 self.bound = self.cost();
             }

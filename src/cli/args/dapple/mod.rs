@@ -1,7 +1,9 @@
 //! The options of the commands about dappled tilings.
 
+mod decide;
 mod rule;
 
+pub use decide::DappleDecideArgs;
 pub use rule::{DappleCheckArgs, RuleArgs};
 
 use super::super::help;
@@ -13,4 +15,7 @@ pub enum DappleCommand {
     /// Check a tiling from the definition
     #[command(after_help = help::DAPPLE_CHECK)]
     Check(DappleCheckArgs),
+    /// Complete a partial tiling, or show which cells make that impossible
+    #[command(after_help = help::DAPPLE_DECIDE)]
+    Decide(DappleDecideArgs),
 }
