@@ -23,7 +23,7 @@ pub use aperiodic::{
 pub use atlas::{ArrangeArg, AtlasArgs, ChannelsArg, GutterArg, LintArgs, TilePictureArgs};
 pub use board::BoardArgs;
 pub use cube::{CubeArgs, CubeKindArg};
-pub use dapple::{DappleCheckArgs, DappleCommand, DappleDecideArgs, RuleArgs};
+pub use dapple::{DappleCheckArgs, DappleClosestArgs, DappleCommand, DappleDecideArgs, RuleArgs};
 pub use export::{ExportCnfArgs, ExportOut, ExportXccArgs};
 pub use find::{FindArgs, FirstRow, Method, ValueOrder};
 pub use formats::{ExportArgs, ImportArgs, To};

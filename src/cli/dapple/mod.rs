@@ -2,6 +2,7 @@
 //! they have in common, `write` puts tilings out.
 
 pub mod check;
+pub mod closest;
 pub mod decide;
 mod rule;
 mod write;
@@ -16,6 +17,7 @@ use super::exit::Exit;
 pub fn run(command: &DappleCommand) -> anyhow::Result<Exit> {
     match command {
         DappleCommand::Check(args) => check::run(args),
+        DappleCommand::Closest(args) => closest::run(args),
         DappleCommand::Decide(args) => decide::run(args),
     }
 }

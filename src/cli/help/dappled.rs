@@ -40,3 +40,24 @@ JSON fields (--json): result (found, impossible, stopped), width, height, given,
 (rows, null with -o), file; impossible: reason (of --count), core (rows, null for a free cell), \
 core_cells (column, row), minimal. --counts: result (complete, none, stopped), tile, possible and \
 undecided (first and last of each range), fewer and more (why there are none).";
+
+/// Examples for `dapple closest`.
+pub const DAPPLE_CLOSEST: &str = "\
+The tiling that keeps the limits and differs from the field in as few cells as possible, or in cells \
+that weigh as little as possible. It is found from both sides: overlapping strips of the field bound \
+the distance from below, filling a strip anew while the rest stays improves the tiling; when both \
+meet, it is proved to be nearest. A field that keeps the limits stays as it is.
+
+Examples:
+  tilepack dapple closest field.txt
+  tilepack dapple closest field.txt --cyclic --limits 3,2 -o nearest.png
+  tilepack dapple closest field.txt --fixed kept.txt --weights weights.txt
+  tilepack dapple closest field.txt --time-limit 1m --json
+
+Exit codes: 0 proved to be nearest (or as good as the methods allow), 1 impossible: the fixed cells \
+that have no completion are shown, 75 stopped before it was proved; the best tiling is written.
+
+JSON fields (--json): result (optimal, found, impossible, stopped), width, height, distance, bound (no \
+tiling is nearer), changed (cells), rounds, nodes (cells decided both ways), lines (of the tallest \
+strips), seed, core (rows, null for a free cell, if impossible), tiles (rows, null with -o), file, \
+seconds.";

@@ -42,7 +42,7 @@ impl Bounds {
         let unit = 1 << FINEST.min(room);
         let strides = [0, 1].map(|along| stride(board, along, machines[along].lines));
         let alone = [prefer, 1 - prefer].into_iter().find(|&along| strides[along].is_some());
-        let alone = alone.filter(|_| std::env::var("BOTH").is_err()); let used: Vec<usize> = alone.map_or(vec![0, 1], |along| vec![along]);
+        let used: Vec<usize> = alone.map_or(vec![0, 1], |along| vec![along]);
         let share = used.len() as Cost;
         let systems = used.iter().enumerate().map(|(rank, &along)| {
             let machine = Arc::clone(&machines[along]);
@@ -50,7 +50,11 @@ impl Bounds {
             System::new(board, along, machine, stride, |cell, tile| {
                 let whole = board.cost(cell, tile).saturating_mul(unit);
                 let part = |rank: usize| (whole / share) * rank as Cost;
-                if rank + 1 == used.len() { whole - part(rank) } else { part(rank + 1) - part(rank) }
+                if rank + 1 == used.len() {
+                    whole - part(rank)
+                } else {
+                    part(rank + 1) - part(rank)
+                }
             })
         });
         let systems: Vec<System> = systems.collect();

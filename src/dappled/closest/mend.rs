@@ -232,7 +232,9 @@ impl Mender {
         for set in &board.runs[across] {
             // The lines in which a window that reaches the strip may end.
             let reach = (lines + set.longest() as usize).min(all);
-            for (at, ahead) in (0..board.length(strip.along)).flat_map(|at| (0..reach).map(move |a| (at, a))) {
+            for (at, ahead) in
+                (0..board.length(strip.along)).flat_map(|at| (0..reach).map(move |a| (at, a)))
+            {
                 let line = strip.lines[0] + ahead;
                 if line >= all && !meets {
                     continue;

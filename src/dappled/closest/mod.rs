@@ -25,6 +25,9 @@ use crate::search::Stop;
 use board::{Board, NEVER, may_be};
 use search::Search;
 
+/// Cells of a field at most.
+pub const MOST_CELLS: usize = 1 << 22;
+
 /// The weight of a cell at most.
 pub const MOST_WEIGHT: u32 = 1_000_000;
 
@@ -78,6 +81,9 @@ pub struct Answer {
     pub distance: Option<u64>,
     /// No tiling is nearer; none if there is no tiling at all.
     pub bound: Option<u64>,
+    /// If there is no tiling at all, fixed cells that are to blame (indices, row by row): these
+    /// alone have no completion. Nothing if that was found without them being told apart.
+    pub core: Option<Vec<u32>>,
     /// Rounds of bounding and mending.
     pub rounds: u64,
     /// Cells that were decided both ways.
@@ -135,11 +141,9 @@ pub fn closest(task: &Task<'_>, seed: u64, stop: &impl Stop) -> Result<Answer, T
         (FREE, FREE) => 0,
         (FREE, tile) | (tile, _) => tile,
     });
-    let accepts = |cells: &[u8]| {
-        let tiling = Field::new(width, height, cells.to_vec());
-        tiling.is_ok_and(|tiling| rule.accepts(&tiling))
-    };
-    let mut search = Search::new(&board, &accepts, seed, stop);
+    let free = Field::filled(width, height, FREE).unwrap_or_else(|_| field.clone());
+    let partial = task.fixed.unwrap_or(&free);
+    let mut search = Search::new(&board, (rule, partial), seed, stop);
     search.run(&start.collect::<Vec<u8>>());
     let (tiling, distance) = match &search.best {
         Some((cells, cost)) => (Field::new(width, height, cells.clone()).ok(), Some(*cost as u64)),
@@ -147,5 +151,6 @@ pub fn closest(task: &Task<'_>, seed: u64, stop: &impl Stop) -> Result<Answer, T
     };
     let bound = may_be(search.bound).then_some(search.bound.max(0) as u64);
     let (rounds, nodes, lines) = (search.rounds, search.nodes, search.lines);
-    Ok(Answer { tiling, distance, bound, rounds, nodes, lines })
+    let core = search.core.clone();
+    Ok(Answer { tiling, distance, bound, core, rounds, nodes, lines })
 }

@@ -12,6 +12,8 @@ use super::board::{Board, Cost, NEVER, may_be};
 use super::bounds::Bounds;
 use super::machine::Machine;
 use super::mend::Mender;
+use crate::dappled::exact::{Completion, complete};
+use crate::dappled::{FREE, Field, Rule};
 use crate::search::Stop;
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64;
@@ -19,8 +21,9 @@ use std::sync::Arc;
 
 /// Steps of machines at most, stage by stage.
 const STEPS: [usize; 4] = [1 << 10, 1 << 13, 1 << 16, 1 << 19];
-/// Decisions of a stage at most; there is no limit in the last.
+/// Decisions of a stage at most, on boards of so many cells; there is no limit in the last.
 const NODES: u64 = 24;
+const SMALL: usize = 2500;
 /// Memory of a stage at most, in bytes.
 const MEMORY: usize = 3 << 30;
 /// Rounds without gain before a stage ends, and in which nothing is found.
@@ -29,13 +32,16 @@ const STALE: (u32, u32) = (6, 10);
 /// What the search is about.
 pub(super) struct Search<'a, S: Stop> {
     pub board: &'a Board,
-    /// Whether cells keep the rule.
-    pub accepts: &'a (dyn Fn(&[u8]) -> bool + Sync),
+    /// What tilings keep, and the cells that are fixed.
+    rule: &'a Rule,
+    partial: &'a Field,
     pub stop: &'a S,
     /// The best tiling, and its cost.
     pub best: Option<(Vec<u8>, Cost)>,
     /// No tiling costs less; [`NEVER`] if there is none.
     pub bound: Cost,
+    /// Fixed cells that have no completion.
+    pub core: Option<Vec<u32>>,
     pub rounds: u64,
     pub nodes: u64,
     /// Lines of the strips that were used last.
@@ -61,13 +67,25 @@ impl<'a, S: Stop> Search<'a, S> {
     /// A search that knows nothing yet.
     pub(super) fn new(
         board: &'a Board,
-        accepts: &'a (dyn Fn(&[u8]) -> bool + Sync),
+        (rule, partial): (&'a Rule, &'a Field),
         seed: u64,
         stop: &'a S,
     ) -> Self {
         let random = Pcg64::seed_from_u64(seed);
         let (best, bound, lines) = (None, 0, 0);
-        Self { board, accepts, stop, best, bound, rounds: 0, nodes: 0, lines, random }
+        Self {
+            board,
+            rule,
+            partial,
+            stop,
+            best,
+            bound,
+            core: None,
+            rounds: 0,
+            nodes: 0,
+            lines,
+            random,
+        }
     }
 
     /// Whether the bounds have met.
@@ -95,10 +113,23 @@ impl<'a, S: Stop> Search<'a, S> {
             let mut bounds = Bounds::new(self.board, &machines, prefer);
             self.lines = machines[prefer].lines;
             self.rounds(&mut bounds, &mut mender, &mut cells);
+            if self.best.is_none() && !self.is_done() {
+                self.complete(&mut cells);
+            }
             if self.is_done() || self.stop.should_stop() {
                 return;
             }
-            eprintln!("stage {stage} {} LB {} UB {}", self.rounds, self.bound, self.cost()); let mut left = if last { u64::MAX } else { 0 };
+            // At a node of a large board little is gained.
+            let mut left = match (last, self.board.cells() <= SMALL) {
+                (true, _) => u64::MAX,
+                (_, small) => {
+                    if small {
+                        NODES
+                    } else {
+                        0
+                    }
+                }
+            };
             if self.branch(bounds, self.board.clone(), &mut mender, &mut left) {
                 self.bound = self.cost();
             }
@@ -108,10 +139,29 @@ impl<'a, S: Stop> Search<'a, S> {
         }
     }
 
+    fn accepts(&self, cells: &[u8]) -> bool {
+        let tiling = Field::new(self.board.width, self.board.height, cells.to_vec());
+        tiling.is_ok_and(|tiling| self.rule.accepts(&tiling))
+    }
+
+    /// Any tiling, or the proof that there is none.
+    fn complete(&mut self, cells: &mut Vec<u8>) {
+        match complete(self.rule, self.partial, self.random.random(), &self.stop) {
+            Ok(Completion::Found(tiling)) => {
+                self.offer(tiling.cells());
+                *cells = tiling.cells().to_vec();
+            }
+            Ok(Completion::Impossible { core, .. }) => {
+                (self.bound, self.core) = (NEVER, Some(core));
+            }
+            Ok(Completion::Stopped) | Err(_) => {}
+        }
+    }
+
     /// Takes cells if they keep the rule and cost less.
     fn offer(&mut self, cells: &[u8]) -> bool {
         let total = self.board.total(cells);
-        let better = total < self.cost() && may_be(total) && (self.accepts)(cells);
+        let better = total < self.cost() && may_be(total) && self.accepts(cells);
         if better {
             self.best = Some((cells.to_vec(), total));
         }
@@ -142,7 +192,7 @@ impl<'a, S: Stop> Search<'a, S> {
                 }
                 let worst = self.worst(bounds.unit);
                 let (mut read, _) = mender.read(board, &bounds.systems[0], worst, &mut random);
-                if !read.contains(&crate::dappled::FREE) {
+                if !read.contains(&FREE) {
                     for _ in 0..2 {
                         mender.sweep(board, &mut read, &mut random);
                         if self.offer(&read) {
@@ -188,7 +238,7 @@ impl<'a, S: Stop> Search<'a, S> {
         let worst = self.worst(bounds.unit);
         let (read, differ) = mender.read(&board, &bounds.systems[0], worst, &mut random);
         let mut mended = read.clone();
-        if !mended.contains(&crate::dappled::FREE) {
+        if !mended.contains(&FREE) {
             self.offer(&mended);
             for _ in 0..2 {
                 mender.sweep(&board, &mut mended, &mut random);

@@ -1,8 +1,10 @@
 //! The options of the commands about dappled tilings.
 
+mod closest;
 mod decide;
 mod rule;
 
+pub use closest::DappleClosestArgs;
 pub use decide::DappleDecideArgs;
 pub use rule::{DappleCheckArgs, RuleArgs};
 
@@ -12,6 +14,9 @@ use clap::Subcommand;
 /// What to do with dappled tilings.
 #[derive(Debug, Clone, Subcommand)]
 pub enum DappleCommand {
+    /// Find the nearest tiling of a field, with proof
+    #[command(after_help = help::DAPPLE_CLOSEST)]
+    Closest(DappleClosestArgs),
     /// Check a tiling from the definition
     #[command(after_help = help::DAPPLE_CHECK)]
     Check(DappleCheckArgs),
