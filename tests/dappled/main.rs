@@ -2,6 +2,7 @@
 
 #![allow(clippy::unwrap_used)]
 
+mod closest;
 mod decide;
 mod exact;
 #[path = "../sat/proof.rs"]
