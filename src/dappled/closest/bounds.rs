@@ -7,6 +7,7 @@
 use super::board::{Board, Cost, NEVER, may_be};
 use super::dual::{Pool, System};
 use super::machine::Machine;
+use crate::search::Stop;
 use std::sync::Arc;
 
 /// Costs are multiplied by a power of two up to this.
@@ -76,16 +77,17 @@ impl Bounds {
         alone.map_or_else(|| of(0).saturating_add(of(1)), of)
     }
 
-    /// One round; gives the bound, multiplied.
-    pub(super) fn round(&mut self, board: &Board) -> Cost {
+    /// One round; gives the bound, multiplied, or nothing if it was stopped: then they are of no
+    /// more use.
+    pub(super) fn round(&mut self, board: &Board, stop: &dyn Stop) -> Option<Cost> {
         let exchange = self.systems.len() > 1;
         let mut sum: Cost = 0;
         for system in &mut self.systems {
-            let bound = system.forward(board, exchange.then_some(&mut self.pool));
+            let bound = system.forward(board, exchange.then_some(&mut self.pool), stop)?;
             sum = (sum + bound).min(NEVER);
             system.backward(true);
         }
-        sum
+        Some(sum)
     }
 
     /// The least cost that a bound leaves open.

@@ -16,7 +16,9 @@
 
 use super::board::{Board, Cost, NEVER, may_be};
 use super::machine::Machine;
+use super::overlap::{Overlap, firsts};
 use super::strip::Strip;
+use crate::search::Stop;
 use std::collections::HashMap;
 use std::sync::Arc;
 
@@ -61,16 +63,6 @@ struct Seam {
     overlap: Arc<Overlap>,
 }
 
-/// What slices have in common.
-#[derive(Debug)]
-struct Overlap {
-    contents: usize,
-    /// By slice of the first strip: the content of its last lines.
-    tail: Vec<u32>,
-    /// By slice of the second strip: the content of its first lines.
-    head: Vec<u32>,
-}
-
 /// What comes before a place.
 #[derive(Debug, Clone, Copy)]
 enum Past {
@@ -81,29 +73,6 @@ enum Past {
 
 /// Costs by cell, then by tile, on their way from one system to another; none is negative.
 pub(super) type Pool = Vec<Cost>;
-
-impl Overlap {
-    fn new(machine: &Machine, lines: usize) -> Self {
-        let mut numbers = HashMap::new();
-        let mut number = |tiles: &[u8]| {
-            let next = numbers.len() as u32;
-            *numbers.entry(tiles.to_vec()).or_insert(next)
-        };
-        let slices = machine.slices.iter();
-        let tail = slices.map(|slice| number(&slice[slice.len() - lines..])).collect();
-        let head = machine.slices.iter().map(|slice| number(&slice[..lines])).collect();
-        Self { contents: numbers.len(), tail, head }
-    }
-}
-
-/// The first lines of strips of which each begins `stride` lines after the one before.
-fn firsts(board: &Board, along: usize, lines: usize, stride: usize) -> Vec<usize> {
-    let all = board.lines(along);
-    if board.meet[1 - along] && lines < all {
-        return (0..all).step_by(stride).collect();
-    }
-    (0..all - lines).step_by(stride).chain([all - lines]).collect()
-}
 
 impl System {
     /// Strips of the machine's height, of which the next begins `stride` lines later; `cost` says
@@ -211,11 +180,20 @@ impl System {
         self.cuts.filter(|cuts| step > 0 && cuts[other] == self.place(step)).map(|_| other)
     }
 
-    /// Reads all strips forward, evening out; gives the bound. Takes what is in the pool, and puts
+    /// Reads all strips forward, evening out; gives the bound, or nothing if it was
+    /// stopped: then what is known is no longer sound. Takes what is in the pool, and puts
     /// half of what tiles cost more than others in.
-    pub(super) fn forward(&mut self, board: &Board, mut pool: Option<&mut Pool>) -> Cost {
+    pub(super) fn forward(
+        &mut self,
+        board: &Board,
+        mut pool: Option<&mut Pool>,
+        stop: &dyn Stop,
+    ) -> Option<Cost> {
         let mut bound = 0;
         for step in 0..self.length {
+            if stop.should_stop() {
+                return None;
+            }
             let at = self.place(step);
             let last = (at + self.length - 1) % self.length;
             let past = match (self.cut(step), step, self.cuts) {
@@ -250,7 +228,7 @@ impl System {
             Some(_) => part.least_before(&self.machine, last, self.phase),
             None => part.message(&self.machine, last).iter().copied().min().unwrap_or(NEVER),
         });
-        ends.fold(bound, |a, b| (a + b).min(NEVER))
+        Some(ends.fold(bound, |a, b| (a + b).min(NEVER)))
     }
 
     /// Reads all strips backward, evening out if asked to. The next round begins at the other cut.

@@ -13,6 +13,7 @@ use super::dual::System;
 use super::machine::Machine;
 use super::strip::Strip;
 use crate::dappled::FREE;
+use crate::search::Stop;
 use rand::RngExt;
 use rand_pcg::Pcg64;
 use std::sync::Arc;
@@ -58,7 +59,13 @@ impl Mender {
     }
 
     /// Fills strips that overlap in random order, those along rows and those along columns.
-    pub(super) fn sweep(&mut self, board: &Board, cells: &mut [u8], random: &mut Pcg64) {
+    pub(super) fn sweep(
+        &mut self,
+        board: &Board,
+        cells: &mut [u8],
+        random: &mut Pcg64,
+        stop: &dyn Stop,
+    ) {
         let mut strips = Vec::new();
         for along in 0..2 {
             let (lines, all) = (self.machines[along].lines, board.lines(along));
@@ -79,6 +86,9 @@ impl Mender {
             strips.swap(last, random.random_range(0..=last));
         }
         for (along, first) in strips {
+            if stop.should_stop() {
+                return;
+            }
             self.fill(board, cells, (along, first), random);
         }
     }

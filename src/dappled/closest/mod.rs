@@ -17,6 +17,7 @@ mod bounds;
 mod dual;
 mod machine;
 mod mend;
+mod overlap;
 mod search;
 mod strip;
 

@@ -170,14 +170,15 @@ impl<'a, S: Stop> Search<'a, S> {
 
     /// The rounds of a stage.
     fn rounds(&mut self, bounds: &mut Bounds, mender: &mut Mender, cells: &mut Vec<u8>) {
-        let (mut stale, mut idle, mut highest) = (0, 0, Cost::MIN);
+        let (mut stale, mut idle, mut highest) = (0, 0, -NEVER);
         let mut random = Pcg64::seed_from_u64(self.random.random());
         while (stale < STALE.0 || idle < STALE.1) && !self.stop.should_stop() {
-            let board = self.board;
+            let (board, stop) = (self.board, self.stop);
             let (bound, ()) = rayon::join(
-                || if stale < STALE.0 { bounds.round(board) } else { highest },
-                || mender.sweep(board, cells, &mut random),
+                || if stale < STALE.0 { bounds.round(board, stop) } else { Some(highest) },
+                || mender.sweep(board, cells, &mut random, stop),
             );
+            let Some(bound) = bound else { return };
             self.rounds += 1;
             stale = if bound - highest < bounds.unit / 200 { stale + 1 } else { 0 };
             highest = highest.max(bound);
@@ -194,7 +195,7 @@ impl<'a, S: Stop> Search<'a, S> {
                 let (mut read, _) = mender.read(board, &bounds.systems[0], worst, &mut random);
                 if !read.contains(&FREE) {
                     for _ in 0..2 {
-                        mender.sweep(board, &mut read, &mut random);
+                        mender.sweep(board, &mut read, &mut random, stop);
                         if self.offer(&read) {
                             (*cells, idle) = (read.clone(), 0);
                         }
@@ -221,12 +222,12 @@ impl<'a, S: Stop> Search<'a, S> {
         mender: &mut Mender,
         left: &mut u64,
     ) -> bool {
-        let (mut stale, mut highest) = (0, Cost::MIN);
+        let (mut stale, mut highest) = (0, -NEVER);
         while stale < 2 {
             if self.stop.should_stop() {
                 return false;
             }
-            let bound = bounds.round(&board);
+            let Some(bound) = bounds.round(&board, self.stop) else { return false };
             self.rounds += 1;
             if bounds.rounded(bound) >= self.cost() {
                 return true;
@@ -241,7 +242,7 @@ impl<'a, S: Stop> Search<'a, S> {
         if !mended.contains(&FREE) {
             self.offer(&mended);
             for _ in 0..2 {
-                mender.sweep(&board, &mut mended, &mut random);
+                mender.sweep(&board, &mut mended, &mut random, self.stop);
                 self.offer(&mended);
             }
         }
