@@ -93,11 +93,6 @@ impl Machine {
         &self.before[self.before_from[state] as usize..self.before_from[state + 1] as usize]
     }
 
-    /// The states that may come after this one.
-    pub(super) fn after(&self, state: usize) -> &[u32] {
-        &self.after[self.after_from[state] as usize..self.after_from[state + 1] as usize]
-    }
-
     /// The least cost of the predecessors of each state.
     pub(super) fn least_before(&self, costs: &[Cost], least: &mut [Cost]) {
         for (least, group) in least.iter_mut().zip(self.before_from.windows(2)) {

@@ -106,19 +106,24 @@ impl<'a, S: Stop> Search<'a, S> {
             let machines = machines(self.board, STEPS[stage]);
             let prefer = stage % 2;
             let last = stage + 1 == STEPS.len();
-            if stage > 0 && Bounds::memory(self.board, &machines, prefer) > MEMORY {
+            let fits = Bounds::memory(self.board, &machines, prefer) <= MEMORY;
+            if stage > 0 && !fits {
                 return;
             }
-            let mut mender = Mender::new(self.board, machines.clone());
-            let mut bounds = Bounds::new(self.board, &machines, prefer);
             self.lines = machines[prefer].lines;
-            self.rounds(&mut bounds, &mut mender, &mut cells);
+            let mut mender = Mender::new(self.board, machines.clone());
+            let mut bounds = fits.then(|| Bounds::new(self.board, &machines, prefer));
+            self.rounds(bounds.as_mut(), &mut mender, &mut cells);
+            if self.is_done() || self.stop.should_stop() {
+                return;
+            }
             if self.best.is_none() && !self.is_done() {
                 self.complete(&mut cells);
             }
             if self.is_done() || self.stop.should_stop() {
                 return;
             }
+            let Some(bounds) = bounds else { return };
             // At a node of a large board little is gained.
             let mut left = match (last, self.board.cells() <= SMALL) {
                 (true, _) => u64::MAX,
@@ -168,42 +173,53 @@ impl<'a, S: Stop> Search<'a, S> {
         better
     }
 
-    /// The rounds of a stage.
-    fn rounds(&mut self, bounds: &mut Bounds, mender: &mut Mender, cells: &mut Vec<u8>) {
+    /// The rounds of a stage; without bounds only tilings are mended.
+    fn rounds(
+        &mut self,
+        mut bounds: Option<&mut Bounds>,
+        mender: &mut Mender,
+        cells: &mut Vec<u8>,
+    ) {
+        let (board, stop) = (self.board, self.stop);
         let (mut stale, mut idle, mut highest) = (0, 0, -NEVER);
         let mut random = Pcg64::seed_from_u64(self.random.random());
-        while (stale < STALE.0 || idle < STALE.1) && !self.stop.should_stop() {
-            let (board, stop) = (self.board, self.stop);
+        while (stale < STALE.0 || idle < STALE.1) && !stop.should_stop() {
+            let raise = bounds.as_deref_mut().filter(|_| stale < STALE.0);
             let (bound, ()) = rayon::join(
-                || if stale < STALE.0 { bounds.round(board, stop) } else { Some(highest) },
+                || raise.map(|bounds| bounds.round(board, stop)),
                 || mender.sweep(board, cells, &mut random, stop),
             );
-            let Some(bound) = bound else { return };
             self.rounds += 1;
-            stale = if bound - highest < bounds.unit / 200 { stale + 1 } else { 0 };
-            highest = highest.max(bound);
-            self.bound = self.bound.max(bounds.rounded(bound));
+            match (bound, &bounds) {
+                (Some(None), _) => return,
+                (Some(Some(bound)), Some(bounds)) => {
+                    stale = if bound - highest < bounds.unit / 200 { stale + 1 } else { 0 };
+                    highest = highest.max(bound);
+                    self.bound = self.bound.max(bounds.rounded(bound));
+                }
+                _ => stale += 1,
+            }
             idle = if self.offer(cells) { 0 } else { idle + 1 };
             if self.is_done() {
                 return;
             }
-            if idle % 5 == 4 {
-                if self.best.is_none() {
-                    mender.harden();
+            if idle % 5 != 4 {
+                continue;
+            }
+            if self.best.is_none() {
+                mender.harden();
+            }
+            let Some(bounds) = &bounds else { continue };
+            let worst = self.worst(bounds.unit);
+            let (mut read, _) = mender.read(board, &bounds.systems[0], worst, &mut random);
+            for _ in 0..if read.contains(&FREE) { 0 } else { 2 } {
+                mender.sweep(board, &mut read, &mut random, stop);
+                if self.offer(&read) {
+                    (*cells, idle) = (read.clone(), 0);
                 }
-                let worst = self.worst(bounds.unit);
-                let (mut read, _) = mender.read(board, &bounds.systems[0], worst, &mut random);
-                if !read.contains(&FREE) {
-                    for _ in 0..2 {
-                        mender.sweep(board, &mut read, &mut random, stop);
-                        if self.offer(&read) {
-                            (*cells, idle) = (read.clone(), 0);
-                        }
-                    }
-                }
-                if self.is_done() {
-                    return;
-                }
+            }
+            if self.is_done() {
+                return;
             }
         }
     }
