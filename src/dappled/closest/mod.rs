@@ -2,11 +2,11 @@
 //! possible, or in cells that weigh as little as possible.
 //!
 //! *Strips* are a few lines side by side. A strip alone is filled at least cost by a shortest path
-//! ([`machine`], [`strip`]). From below, the board is cut into strips that overlap and divide the
+//! (`machine`, `strip`). From below, the board is cut into strips that overlap and divide the
 //! costs of the cells among them; however they do, no tiling costs less than the strips together,
-//! and they are made to agree where they overlap ([`dual`], [`bounds`]). From above, a strip at a
-//! time is filled anew while the rest stays ([`mend`]). When the bounds meet the tiling is proved
-//! to be nearest; if they do not, strips grow, and cells are decided both ways ([`search`]).
+//! and they are made to agree where they overlap (`dual`, `bounds`). From above, a strip at a
+//! time is filled anew while the rest stays (`mend`). When the bounds meet the tiling is proved
+//! to be nearest; if they do not, strips grow, and cells are decided both ways (`search`).
 //!
 //! Strips are far better than lines: with lines alone the bound is that of linear programming,
 //! which on random fields of 64 x 64 is some three cells below the nearest tiling; with strips of

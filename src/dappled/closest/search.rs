@@ -102,8 +102,8 @@ impl<'a, S: Stop> Search<'a, S> {
     pub(super) fn run(&mut self, start: &[u8]) {
         self.offer(start);
         let mut cells = start.to_vec();
-        for stage in 0..STEPS.len() {
-            let machines = machines(self.board, STEPS[stage]);
+        for (stage, &steps) in STEPS.iter().enumerate() {
+            let machines = machines(self.board, steps);
             let prefer = stage % 2;
             let last = stage + 1 == STEPS.len();
             let fits = Bounds::memory(self.board, &machines, prefer) <= MEMORY;
