@@ -230,6 +230,19 @@ fn threads_do_not_matter_and_time_ends_it() {
 }
 
 #[test]
+fn fixed_cells_that_have_no_completion_are_told() {
+    let rule = two_two((5, 4), Edges::Free);
+    let field = Field::filled(5, 4, 1).unwrap();
+    let mut fixed = Field::filled(5, 4, FREE).unwrap();
+    (0..3).for_each(|column| fixed.set(column, 1, 0));
+    fixed.set(4, 3, 1);
+    let found = solve(&Task { rule: &rule, field: &field, fixed: Some(&fixed), weights: None });
+    assert_eq!((found.distance, found.bound, found.core), (None, None, Some(vec![5, 6, 7])));
+    let free = solve(&Task { rule: &rule, field: &field, fixed: None, weights: None });
+    assert_eq!(free.distance, Some(6));
+}
+
+#[test]
 fn tasks_that_make_no_sense_are_refused() {
     let rule = two_two((3, 2), Edges::Free);
     let field = Field::filled(3, 2, 1).unwrap();

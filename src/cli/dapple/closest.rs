@@ -93,13 +93,16 @@ fn tell(
         let pairs = tiling.cells().iter().zip(field.cells());
         pairs.filter(|&(a, b)| *b != FREE && a != b).count()
     });
-    let effort = format!(
-        "{}, {} decided both ways, strips of up to {}, {}",
-        number(answer.rounds, "round"),
-        number(answer.nodes, "cell"),
-        number(answer.lines as u64, "line"),
-        duration::words(clock.elapsed())
-    );
+    let effort = match answer.rounds {
+        0 => duration::words(clock.elapsed()),
+        _ => format!(
+            "{}, {} decided both ways, strips of up to {}, {}",
+            number(answer.rounds, "round"),
+            number(answer.nodes, "cell"),
+            number(answer.lines as u64, "line"),
+            duration::words(clock.elapsed())
+        ),
+    };
     let about = match (answer.distance, answer.bound) {
         (Some(distance), Some(bound)) => {
             let proved = match distance - bound {
@@ -155,7 +158,7 @@ fn tell(
     } else {
         match result {
             "impossible" => output::result(|out| {
-                writeln!(out, "# impossible: {}", reason(core.as_ref()))?;
+                writeln!(out, "# impossible: {}", reason(core.as_ref(), fixed))?;
                 match core.filter(|core| core.cells().iter().any(|&tile| tile != FREE)) {
                     Some(core) => out.write_all(write_field(&core, rule.tiles()).as_bytes()),
                     None => Ok(()),
@@ -179,11 +182,12 @@ fn tell(
 }
 
 /// Why there is no tiling.
-fn reason(core: Option<&Field>) -> &'static str {
+fn reason(core: Option<&Field>, fixed: Option<&Field>) -> &'static str {
     match core {
         Some(core) if core.cells().iter().any(|&tile| tile != FREE) => {
             "these fixed cells have no completion"
         }
+        None if fixed.is_some() => "the fixed cells have no completion",
         _ => "there is no dappled tiling of this size",
     }
 }

@@ -98,10 +98,22 @@ impl<'a, S: Stop> Search<'a, S> {
         self.best.as_ref().map_or(NEVER, |best| best.1)
     }
 
-    /// Searches from these cells on, until the bounds meet or it is asked to stop.
+    /// Searches from these cells on, until the bounds meet or it is asked to stop; then, if there
+    /// is no tiling, for the cells that are to blame.
     pub(super) fn run(&mut self, start: &[u8]) {
         self.offer(start);
+        if self.is_done() {
+            return;
+        }
         let mut cells = start.to_vec();
+        self.stages(&mut cells);
+        if !may_be(self.bound) && self.core.is_none() {
+            self.complete(&mut cells);
+        }
+    }
+
+    /// The stages.
+    fn stages(&mut self, cells: &mut Vec<u8>) {
         for (stage, &steps) in STEPS.iter().enumerate() {
             let machines = machines(self.board, steps);
             let prefer = stage % 2;
@@ -113,12 +125,12 @@ impl<'a, S: Stop> Search<'a, S> {
             self.lines = machines[prefer].lines;
             let mut mender = Mender::new(self.board, machines.clone());
             let mut bounds = fits.then(|| Bounds::new(self.board, &machines, prefer));
-            self.rounds(bounds.as_mut(), &mut mender, &mut cells);
+            self.rounds(bounds.as_mut(), &mut mender, cells);
             if self.is_done() || self.stop.should_stop() {
                 return;
             }
             if self.best.is_none() && !self.is_done() {
-                self.complete(&mut cells);
+                self.complete(cells);
             }
             if self.is_done() || self.stop.should_stop() {
                 return;
