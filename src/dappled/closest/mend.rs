@@ -142,13 +142,15 @@ impl Mender {
                     *cost = (*cost + worst * lines.count() as Cost).min(NEVER);
                 }
             }
-            let before = cells.clone();
+            let of_strip = (0..machine.lines)
+                .flat_map(|line| (0..board.length(strip.along)).map(move |at| (line, at)))
+                .map(|(line, at)| strip.cell(board, line, at));
+            let before: Vec<(usize, u8)> = of_strip.map(|cell| (cell, cells[cell])).collect();
             let job = Job { machine, strip: strip.clone(), table, barred: barred.to_vec() };
-            if !self.all(board, &job, &mut cells, random) {
-                continue;
+            if self.all(board, &job, &mut cells, random) {
+                let changed = before.iter().filter(|&&(c, tile)| tile != FREE && tile != cells[c]);
+                differ.extend(changed.map(|&(cell, _)| cell));
             }
-            let changed = (0..cells.len()).filter(|&c| before[c] != FREE && before[c] != cells[c]);
-            differ.extend(changed);
         }
         (cells, differ)
     }
