@@ -26,8 +26,8 @@ pub use board::BoardArgs;
 pub use brick::BrickArgs;
 pub use cube::{CubeArgs, CubeKindArg};
 pub use dapple::{
-    DappleCheckArgs, DappleCommand, DappleCountArgs, DappleDecideArgs, DappleDrawArgs,
-    DappleFlowArgs, DappleMakeArgs, DappleSampleArgs, OrderArg, RuleArgs, StartArg,
+    DappleCheckArgs, DappleClosestArgs, DappleCommand, DappleCountArgs, DappleDecideArgs,
+    DappleDrawArgs, DappleFlowArgs, DappleMakeArgs, DappleSampleArgs, OrderArg, RuleArgs, StartArg,
 };
 pub use export::{ExportCnfArgs, ExportOut, ExportXccArgs};
 pub use find::{FindArgs, FirstRow, Method, ValueOrder};

@@ -61,6 +61,11 @@ impl Clock {
         self.begin.elapsed()
     }
 
+    /// Whether something has asked to stop.
+    pub fn elapsed_limit(&self) -> bool {
+        self.stop().should_stop()
+    }
+
     /// What has asked to stop, if something has: `signal` or `time-limit`.
     pub fn stopped_by(&self) -> &'static str {
         if self.signal.should_stop() { "signal" } else { "time-limit" }

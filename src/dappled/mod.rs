@@ -12,6 +12,7 @@
 //! * [`faults`] finds all that a field breaks, fast;
 //! * [`make()`](make::make) changes any field into a tiling, in time that grows with its cells alone;
 //! * [`mod@flow`] has streams wind through tilings of two tiles;
+//! * [`closest`] finds the nearest dappled tiling of a field, with proof;
 //! * [`notation`] reads limits, fields and maps of limits from text.
 //!
 //! **Where things are**: columns count from the west, rows from the north, both from 0.
@@ -22,6 +23,7 @@
 //! Source: Kaji, Derouet-Jourdan, Ochiai, *Dappled tiling*, 2016.
 
 pub mod brick;
+pub mod closest;
 pub mod count;
 pub mod exact;
 pub mod faults;

@@ -8,6 +8,7 @@
 //! between them; `.` or `?` is a free cell, `#` begins a comment. A map of limits has numbers and
 //! `inf`, with blanks between them.
 
+use super::closest::MOST_WEIGHT;
 use super::{Condition, Direction, FREE, Field, Limit, MOST_TILES};
 
 /// Why a text is not what was expected: line and column count from 1.
@@ -203,6 +204,23 @@ pub fn map(text: &str, (width, height): (usize, usize)) -> Result<Vec<u32>, Text
         return Err(TextError { line: 1, column: 1, message });
     }
     Ok(limits)
+}
+
+/// Reads a map of weights for a rectangle of cells.
+///
+/// # Errors
+/// Where it goes wrong, and what was expected.
+pub fn weights(text: &str, (width, height): (usize, usize)) -> Result<Vec<u32>, TextError> {
+    let cell = |word: &str| match word.parse::<u32>() {
+        Ok(weight) if weight <= MOST_WEIGHT => Ok(weight),
+        _ => Err(format!("'{word}': expected a weight from 0 to {MOST_WEIGHT}")),
+    };
+    let (columns, rows, weights) = grid(text, false, cell)?;
+    if (columns, rows) != (width, height) {
+        let message = format!("{columns}x{rows} weights, expected {width}x{height}");
+        return Err(TextError { line: 1, column: 1, message });
+    }
+    Ok(weights)
 }
 
 /// A field as text: digits where ten tiles are enough, else numbers with blanks between them.

@@ -73,6 +73,7 @@ fn help_and_version() {
         "brick",
         "dapple count",
         "dapple sample",
+        "dapple closest",
     ] {
         for option in ["--help", "-h"] {
             let help = run(&format!("{command} {option}")).exits(0);
@@ -88,6 +89,9 @@ fn help_and_version() {
 fn the_examples_run() {
     let place = Place::new();
     place.write("begun.txt", "0 0 . .\n. . . .\n. . . .\n. . . .\n");
+    place.write("field.txt", "1111\n1111\n0110\n");
+    place.write("kept.txt", "....\n.11.\n....\n");
+    place.write("weights.txt", "1 2 3 4\n5 6 7 8\n9 0 1 2\n");
     place.write("given.txt", "00...\n.....\n.11..\n.....\n..0..\n");
     place.run("find --kind corner --colors 4 --automorphism 4,0:1,2,3,0 --values random --quiet");
     let mut tried = 0;
@@ -114,6 +118,7 @@ fn the_examples_run() {
         "brick",
         "dapple count",
         "dapple sample",
+        "dapple closest",
     ] {
         let help = run(&format!("{command} --help")).stdout;
         for line in help.lines().filter(|line| line.starts_with("  tilepack ")) {

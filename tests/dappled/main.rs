@@ -3,6 +3,7 @@
 #![allow(clippy::unwrap_used, clippy::panic)]
 
 mod brick;
+mod closest;
 mod command;
 mod count;
 mod counting;

@@ -2,6 +2,7 @@
 //! they have in common, `write` puts tilings out.
 
 pub mod check;
+pub mod closest;
 pub mod count;
 pub mod decide;
 pub mod draw;
@@ -24,6 +25,7 @@ pub fn run(command: &DappleCommand) -> anyhow::Result<Exit> {
     match command {
         DappleCommand::Make(args) => make::run(args),
         DappleCommand::Check(args) => check::run(args),
+        DappleCommand::Closest(args) => closest::run(args),
         DappleCommand::Decide(args) => decide::run(args),
         DappleCommand::Count(args) => count::run(args),
         DappleCommand::Sample(args) => sample::run(args),

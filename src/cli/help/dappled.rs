@@ -125,6 +125,7 @@ Exit codes: 0 built or counted, 1 there is no such wall, 75 stopped, or no label
 JSON fields (--json): result (built, counted, none or stopped), method, width, height, positions, \
 set_size (how many brick Wang tiles there are), seed, file, set_file, tiles_file, tiles (without -o; \
 their numbers by row); walls (--count, a string of digits); reason where there is none.";
+
 /// Examples for `dapple draw`.
 pub const DAPPLE_DRAW: &str = "\
 Examples:
@@ -148,3 +149,24 @@ Examples:
 
 JSON fields (--json): result (drawn), width, height, streams, closed, longest (cells that it goes \
 through), straight (cells at most, in a row and in a column), file.";
+
+/// Examples for `dapple closest`.
+pub const DAPPLE_CLOSEST: &str = "\
+The tiling that keeps the limits and differs from the field in as few cells as possible, or in cells \
+that weigh as little as possible. It is found from both sides: overlapping strips of the field bound \
+the distance from below, filling a strip anew while the rest stays improves the tiling; when both \
+meet, it is proved to be nearest. A field that keeps the limits stays as it is.
+
+Examples:
+  tilepack dapple closest field.txt
+  tilepack dapple closest field.txt --cyclic --limits 3,2 -o nearest.png
+  tilepack dapple closest field.txt --fixed kept.txt --weights weights.txt
+  tilepack dapple closest field.txt --time-limit 1m --json
+
+Exit codes: 0 proved to be nearest (or as good as the methods allow), 1 impossible: the fixed cells \
+that have no completion are shown, 75 stopped before it was proved; the best tiling is written.
+
+JSON fields (--json): result (optimal, found, impossible, stopped), width, height, distance, bound (no \
+tiling is nearer), changed (cells), rounds, nodes (cells decided both ways), lines (of the tallest \
+strips), seed, core (rows, null for a free cell, if impossible), tiles (rows, null with -o), file, \
+seconds.";

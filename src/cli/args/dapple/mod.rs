@@ -1,5 +1,6 @@
 //! The options of the commands about dappled tilings.
 
+mod closest;
 mod count;
 mod decide;
 mod draw;
@@ -7,6 +8,7 @@ mod flow;
 mod make;
 mod rule;
 
+pub use closest::DappleClosestArgs;
 pub use count::{DappleCountArgs, DappleSampleArgs};
 pub use decide::DappleDecideArgs;
 pub use draw::DappleDrawArgs;
@@ -23,6 +25,9 @@ pub enum DappleCommand {
     /// Make a tiling, of a field that is given or of a random one
     #[command(after_help = help::DAPPLE_MAKE)]
     Make(DappleMakeArgs),
+    /// Find the nearest tiling of a field, with proof
+    #[command(after_help = help::DAPPLE_CLOSEST)]
+    Closest(DappleClosestArgs),
     /// Check a tiling from the definition
     #[command(after_help = help::DAPPLE_CHECK)]
     Check(DappleCheckArgs),
