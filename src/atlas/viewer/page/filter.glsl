@@ -17,6 +17,7 @@ uniform float scale;
 uniform vec2 middle;
 
 uniform int side;
+uniform int gutter;
 uniform int last_level;
 uniform float lod;
 uniform int probes;
@@ -24,9 +25,14 @@ uniform int view;
 uniform float gain;
 uniform bool hardware;
 uniform bool encoded;
-uniform float borders;
+// Device pixels of a pixel of the page.
+uniform float pixel;
+uniform bool borders;
 uniform ivec2 hover;
 uniform bool hovering;
+// All copies of the tile with this number stand out.
+uniform bool repeats;
+uniform uint marked;
 
 out vec4 color;
 
@@ -49,26 +55,29 @@ ivec2 divided(ivec2 a, int by) {
 }
 
 // The texel q of a level: counted from the north-west corner of a tile, x east, y south, and perhaps
-// outside of it. `cell` is where the tile lies in the sheet of the view.
+// outside of it. `cell` is where the tile lies in the sheet of the view; around each is a gutter.
 vec4 texel(int how, ivec2 tile, ivec2 cell, ivec2 q, int level) {
     int s = max(side >> level, 1);
-    ivec2 step = divided(q, s);
-    ivec2 inside = q - step * s;
-    ivec2 there = cell + step;
+    int g = gutter >> level;
+    int block = s + 2 * g;
     if (how == ASSEMBLED) {
-        there = cell;
+        ivec2 step = divided(q, s);
+        ivec2 there = cell;
         if (step != ivec2(0)) {
             there = cell_of(tile + ivec2(step.x, -step.y));
         }
-    } else {
-        ivec2 around = grid();
-        there = there - around * ivec2(floor((vec2(there) + 0.5) / vec2(around)));
-        if (how == ROWS) {
-            int found = int(texelFetch(ranks, there, 0).g);
-            there = ivec2(found % around.x, found / around.x);
-        }
+        return texelFetch(atlas, there * block + g + q - step * s, level);
     }
-    return texelFetch(atlas, there * s + inside, level);
+    ivec2 at = cell * block + g + q;
+    ivec2 there = divided(at, block);
+    ivec2 inside = at - there * block;
+    ivec2 around = grid();
+    there = there - around * ivec2(floor((vec2(there) + 0.5) / vec2(around)));
+    if (how == ROWS) {
+        int found = int(texelFetch(ranks, there, 0).g);
+        there = ivec2(found % around.x, found / around.x);
+    }
+    return texelFetch(atlas, there * block + inside, level);
 }
 
 vec4 bilinear(int how, ivec2 tile, ivec2 cell, vec2 at, int level) {
@@ -115,7 +124,15 @@ vec4 filtered(int how, ivec2 tile, vec2 inside) {
 vec4 sampled(ivec2 tile, vec2 inside) {
     float texel_size = exp2(lod) / float(side);
     vec2 dx = vec2(float(probes) * texel_size, 0.0);
-    return tp_sample(tile, inside, dx, vec2(0.0, texel_size) TP_MAP, table, atlas);
+    vec2 dy = vec2(0.0, texel_size);
+    if (gutter == 0) {
+        return tp_sample(tile, inside, dx, dy TP_MAP, table, atlas);
+    }
+    float s = float(side);
+    vec2 size = vec2(grid() * (side + 2 * gutter));
+    vec2 corner = vec2(cell_of(tile) * (side + 2 * gutter) + gutter);
+    vec2 at = (corner + s * vec2(inside.x, 1.0 - inside.y)) / size;
+    return textureGrad(atlas, at, s * dx / size, -s * dy / size);
 }
 
 vec3 for_the_eye(vec3 light) {
@@ -146,14 +163,25 @@ void main() {
         color = vec4(mix(vec3(gray), found.rgb, found.a), 1.0);
     }
     vec2 edge = min(inside, 1.0 - inside) / scale;
-    float near = min(edge.x, edge.y);
-    if (hovering && tile == hover) {
-        float ring = 1.0 - smoothstep(2.0 * borders, 2.0 * borders + 1.0, near);
+    float near = min(edge.x, edge.y) / pixel;
+    bool here = hovering && tile == hover;
+    if (repeats) {
+        if (tp_number(tp_sides(tile.x, tile.y TP_MAP)) == marked) {
+            // Small tiles are all ring.
+            float ring = 1.0 - smoothstep(here ? 4.0 : 2.0, here ? 5.0 : 3.0, near);
+            color.rgb = mix(color.rgb, here ? vec3(1.0) : vec3(1.0, 0.72, 0.0), ring);
+            return;
+        }
+        float gray = dot(color.rgb, vec3(0.3, 0.59, 0.11));
+        color.rgb = mix(vec3(0.09, 0.1, 0.12), mix(vec3(gray), color.rgb, 0.3), 0.3);
+    }
+    if (borders && here && !repeats) {
+        float ring = 1.0 - smoothstep(2.0, 3.0, near);
         color.rgb = mix(color.rgb, vec3(1.0, 0.72, 0.0), ring);
-    } else if (borders > 0.0) {
+    } else if (borders) {
         // Dark with a light seam on each side, to be seen on anything.
-        float seam = 1.0 - smoothstep(1.5 * borders, 1.5 * borders + 1.0, near);
-        float line = 1.0 - smoothstep(0.5 * borders, 0.5 * borders + 1.0, near);
+        float seam = 1.0 - smoothstep(1.5, 2.5, near);
+        float line = 1.0 - smoothstep(0.5, 1.5, near);
         color.rgb = mix(color.rgb, vec3(1.0), 0.3 * seam);
         color.rgb = mix(color.rgb, vec3(view == DIFFERENCE ? 0.8 : 0.05), 0.8 * line);
     }
