@@ -78,7 +78,7 @@
         while (view.looked.tile === tile) pointer("pointermove", ++other, 80);
         await frame();
         answers.held = view.marked === tile && text("tile").startsWith(`held: tile ${tile} ·`) &&
-            /^\d+ cop(y|ies) among \d+ tiles in view, 1\/81/.test(text("copies"));
+            /^\d+ cop(y|ies) of \d+ tiles in view · equal share \(1\/81\) [\d.]+$/.test(text("copies"));
         click(other, 80);
         answers["let go"] = view.marked !== tile && view.marked === view.looked.tile;
         key("r");

@@ -24,8 +24,6 @@ pub(super) struct Choice {
     pub(super) words: String,
     /// The rule.
     pub(super) tiling: Tiling,
-    /// Whether all tiles of the set are equally frequent.
-    pub(super) even: bool,
 }
 
 impl Choice {
@@ -38,18 +36,17 @@ impl Choice {
         let set = &scene.packing.set;
         let (kind, colors) = (set.kind(), set.colors());
         let mut all = Vec::new();
-        let mut add = |name, title, words: &str, even, coloring| {
+        let mut add = |name, title, words: &str, coloring| {
             if let Ok(tiling) = Tiling::new(kind, colors, coloring)
                 && cells.check(&tiling).is_ok()
             {
-                all.push(Self { name, title, words: words.to_owned(), tiling, even });
+                all.push(Self { name, title, words: words.to_owned(), tiling });
             }
         };
         add(
             "hash",
             "hash",
-            "endless: colors by hash, so any tile anywhere, each as likely as any other",
-            true,
+            "colors by hash: any tile anywhere, each as likely as any other",
             Coloring::Hash { seed: scene.seed },
         );
         let grid = Shape::new(HALTON, HALTON).map_err(|error| AtlasError::Asked(error.to_string()));
@@ -57,9 +54,9 @@ impl Choice {
             add(
                 "halton",
                 "Halton",
-                "colors along the Halton sequence: equal colors keep their distance",
-                true,
-                Coloring::Halton(halton),
+                "colors along the Halton sequence, of which there is one: equal colors keep their \
+                 distance, so tiles of many colors are frequent",
+                    Coloring::Halton(halton),
             );
         }
         if all.is_empty() {
@@ -82,9 +79,8 @@ impl Choice {
                 shape.cells()
             ),
         };
-        let even = mixed.changed == 0;
         let tiling = Tiling::new(set.kind(), set.colors(), Coloring::Map(mixed.map))?;
-        Ok(Self { name: "map", title: "map", words, tiling, even })
+        Ok(Self { name: "map", title: "map", words, tiling })
     }
 
     /// Whether it has a seed of its own.

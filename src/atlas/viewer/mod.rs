@@ -127,7 +127,6 @@ fn about_tiling(choice: &Choice) -> Value {
         "title": choice.title,
         "words": choice.words,
         "seeded": choice.seeded(),
-        "even": choice.even,
         "map": map,
     })
 }

@@ -119,16 +119,15 @@ function tellTile(scene, { x, y, tile, sides, row, column }, held) {
     element("tile").replaceChildren(where, number, ` · ${names} · row ${row}, column ${column}`);
 }
 
-// How often the marked tile is in view, and how often it would be if all were equally frequent.
+// How often the marked tile is in view, and how often each would be if all were equally frequent.
 function tellCopies(view) {
     element("copies").hidden = !view.repeats;
     if (!view.repeats) return;
-    const [copies, tiles] = view.count(view.marked);
-    const { now, different } = view.tilings;
+    const [copies, tiles] = view.count(view.marked), different = view.tilings.different;
     const number = document.createElement("b");
     number.textContent = copies === 1 ? "1 copy" : `${copies} copies`;
-    const share = now.even ? `, 1/${different} of them is ${(tiles / different).toFixed(1)}` : "";
-    element("copies").replaceChildren(number, ` among ${tiles} tiles in view${share}`);
+    const share = (tiles / different).toFixed(1);
+    element("copies").replaceChildren(number, ` of ${tiles} tiles in view · equal share (1/${different}) ${share}`);
 }
 
 function tellLevel(view, scene) {

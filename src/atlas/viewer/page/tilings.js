@@ -57,13 +57,13 @@ class Tilings {
         const head = document.getElementById("tiling-" + tiling.name).textContent +
             "\n#define TP_MAP" + (tiling.map ? " , map" : "") + "\n";
         if (tiling.map && !made.map) made.map = this.mapTexture(tiling.map);
-        // Four tiles a texel.
-        const numbers = `uniform usampler2D map; uniform ivec2 corner; out uvec4 numbers;
-            uint number(int x, int y) { return tp_number(tp_sides(x, y TP_MAP)); }
+        // Four tiles a texel; their number is handed over so that the loop stays one.
+        const numbers = `uniform usampler2D map; uniform ivec2 corner; uniform int four; out uvec4 numbers;
             void main() {
                 ivec2 at = ivec2(gl_FragCoord.xy) * ivec2(4, 1) + corner;
-                numbers = uvec4(number(at.x, at.y), number(at.x + 1, at.y),
-                    number(at.x + 2, at.y), number(at.x + 3, at.y));
+                numbers = uvec4(0u);
+                for (int i = 0; i < four; i++)
+                    numbers = uvec4(numbers.yzw, tp_number(tp_sides(at.x + i, at.y TP_MAP)));
             }`;
         made[purpose] = makeProgram(this.gl, head + (purpose === "drawing" ? this.filter : numbers));
         return made[purpose];
@@ -109,6 +109,7 @@ class Tilings {
         const places = this.use("numbers");
         gl.viewport(0, 0, texels, height);
         gl.uniform2i(places.corner, x, y);
+        gl.uniform1i(places.four, 4);
         gl.drawArrays(gl.TRIANGLES, 0, 3);
         const rows = new Uint32Array(4 * texels * height);
         gl.readPixels(0, 0, texels, height, gl.RGBA_INTEGER, gl.UNSIGNED_INT, rows);
