@@ -20,20 +20,37 @@
 //! coloring is a variant of [`Coloring`], an arm of [`Tiling::sides`], and a template of
 //! [`crate::atlas::shader`].
 
+mod block4;
 mod cells;
 mod color_map;
+mod compact;
+mod diagonal;
 mod error;
 mod halton;
 pub mod hash;
 mod mixed;
+mod permuted;
+mod probabilities;
+mod rule;
+mod sums;
+mod support;
+mod xor;
 
+pub use block4::{Block4, PATTERNS, Patterns};
 pub use cells::{Cells, Formula};
 pub use color_map::ColorMap;
+pub use compact::Compact;
+pub use diagonal::Diagonal;
 pub use error::TilingError;
 pub use halton::Halton;
 pub use mixed::{Mixed, mixed};
+pub use permuted::Permuted;
+pub use probabilities::{Column, Probabilities};
+pub use rule::{Rule, alternating};
+pub use sums::Sums;
+pub use xor::Xor;
 
-use crate::tiles::{Colors, Kind, TileId};
+use crate::tiles::{Colors, Kind, Members, TileId};
 use crate::torus::Shape;
 use hash::{hash3, uni};
 
@@ -49,6 +66,14 @@ pub enum Coloring {
     Halton(Halton),
     /// A picture of colors, repeated in both directions.
     Map(ColorMap),
+    /// Corner tiles of a compact set: half as many as colors to the fourth or fewer.
+    Compact(Compact),
+    /// Wang tiles whose edges are sums of random colors on corners.
+    Sums(Sums),
+    /// A hash by tables of permutations.
+    Permuted(Permuted),
+    /// Corner tiles of random colors, with probabilities that differ from place to place.
+    Probabilities(Probabilities),
 }
 
 /// An endless tiling.
@@ -71,15 +96,33 @@ impl Tiling {
         if kind == Kind::Domino {
             return Err(TilingError::Dominoes);
         }
-        if let Coloring::Map(map) = &coloring
-            && (map.kind() != kind || map.colors() != colors)
-        {
-            return Err(TilingError::OtherMap {
-                map: format!("{} tiles over {} colors", map.kind(), map.colors()),
-                asked: format!("{kind} tiles over {colors} colors"),
-            });
+        let corner = |fits: bool| kind == Kind::Corner && fits;
+        let (what, fits) = match &coloring {
+            Coloring::Hash { .. } | Coloring::Halton(_) | Coloring::Permuted(_) => {
+                return Ok(Self { kind, colors, coloring });
+            }
+            Coloring::Map(map) if map.kind() != kind || map.colors() != colors => {
+                return Err(TilingError::OtherMap {
+                    map: format!("{} tiles over {} colors", map.kind(), map.colors()),
+                    asked: format!("{kind} tiles over {colors} colors"),
+                });
+            }
+            Coloring::Map(_) => ("a map", true),
+            Coloring::Compact(compact) => {
+                ("this compact set", corner(compact.has_colors(colors.horizontal())))
+            }
+            Coloring::Sums(sums) => (
+                "sums of colors on corners",
+                kind == Kind::Wang && (sums.two || colors.single().is_some()),
+            ),
+            Coloring::Probabilities(map) => {
+                ("this map of probabilities", corner(map.colors() == colors.horizontal()))
+            }
+        };
+        match fits {
+            true => Ok(Self { kind, colors, coloring }),
+            false => Err(TilingError::Mismatch { what, kind, colors }),
         }
-        Ok(Self { kind, colors, coloring })
     }
 
     /// The kind of its tiles.
@@ -97,9 +140,43 @@ impl Tiling {
         &self.coloring
     }
 
-    /// Whether every tile over the colors can occur.
-    pub fn needs_all_tiles(&self) -> bool {
-        !matches!(self.coloring, Coloring::Map(_))
+    /// Which tiles can occur: all over the colors, or these. A packing has to have them.
+    pub fn needs(&self) -> Members {
+        match &self.coloring {
+            Coloring::Hash { .. } | Coloring::Halton(_) | Coloring::Permuted(_) => {
+                Members::Complete
+            }
+            Coloring::Map(map) => Members::Explicit(map.tiles()),
+            Coloring::Compact(compact) => {
+                Members::Explicit(compact.rule().tiles(self.colors.horizontal()))
+            }
+            Coloring::Sums(sums) if sums.two => Members::Complete,
+            Coloring::Sums(_) => Members::Explicit(alternating(self.colors.horizontal())),
+            Coloring::Probabilities(map) => Members::Explicit(map.tiles()),
+        }
+    }
+
+    /// The same in words, for messages: what a packing must be of.
+    pub fn needs_words(&self) -> String {
+        let of_set = |count: usize, set: &str| {
+            format!("this coloring needs the {count} tiles of {set}; tile --set-out writes them")
+        };
+        match &self.coloring {
+            Coloring::Compact(compact) => {
+                let (rule, colors) = (compact.rule(), self.colors.horizontal());
+                let set = format!("the compact {} set ({})", rule.name(), rule.words());
+                of_set(rule.tiles(colors).len(), &set)
+            }
+            Coloring::Sums(sums) if !sums.two => {
+                let count = self.colors.horizontal().pow(3);
+                of_set(count, "the compact Wang set with N - E + S - W = 0 mod C")
+            }
+            Coloring::Probabilities(map) => of_set(map.tiles().len(), "its map of probabilities"),
+            Coloring::Map(_) => "this coloring needs the tiles of its map".to_owned(),
+            _ => "this coloring needs the complete set; for other sets, take --coloring compact, \
+                  scanline or map:FILE, with the tiles that it needs"
+                .to_owned(),
+        }
     }
 
     /// The colors of the tile at a place, in the order of [`Kind::sides`].
@@ -114,6 +191,12 @@ impl Tiling {
                 self.around(x, y, |x, y, colors| halton.color(x, y, colors))
             }
             Coloring::Map(map) => map.sides(x, y),
+            Coloring::Compact(compact) => self.around(x, y, |x, y, _| compact.color(x, y)),
+            Coloring::Sums(sums) => sums.sides(x, y, self.colors),
+            Coloring::Permuted(tables) => {
+                self.around(x, y, |x, y, colors| tables.color(x, y, colors))
+            }
+            Coloring::Probabilities(map) => self.around(x, y, |x, y, _| map.color(x, y)),
         }
     }
 

@@ -6,6 +6,7 @@
 mod cells;
 mod halton;
 mod mixed;
+mod vectors;
 
 use tilepack::tiles::{Colors, Kind, Members, TileSet};
 use tilepack::tiling::hash::{hash3, mix, uni};
