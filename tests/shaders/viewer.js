@@ -172,7 +172,7 @@
             document.getElementById("tiling").selectedIndex = at;
             send("tiling", "change");
             answers.tilings.push(told());
-            if (!tiling.seeded) return;
+            if (tiling.keys.length === 0) return;
             document.getElementById("seed").value = 4294967295;
             send("seed", "input");
             answers.tilings.push(told());

@@ -10,9 +10,11 @@ use serde_json::{Value, json};
 use std::fs;
 use tilepack::atlas::viewer::{self, Scene};
 use tilepack::atlas::{Arrangement, Layout, Light};
-use tilepack::tiles::{Colors, Kind, TileId, notation};
+use tilepack::tiles::{Colors, Kind, Members, TileId, TileSet, notation};
 use tilepack::tiling::hash::{hash3, mix};
-use tilepack::tiling::{Coloring, Halton, Tiling, mixed};
+use tilepack::tiling::{
+    Coloring, Compact, Halton, Probabilities, Sums, Tiling, alternating, mixed,
+};
 use tilepack::torus::{Packing, Shape};
 
 const SIDE: usize = 32;
@@ -204,13 +206,24 @@ fn tilings_are_those(
     assert_eq!(answers["time"], json!(true), "{answers}");
 }
 
-/// Hash, Halton: the rules of complete sets.
-fn of_complete(kind: Kind, name: &str, seed: u32) -> Coloring {
+/// Hash, Halton, colors that fade: the rules of complete sets.
+fn of_complete(kind: Kind, colors: usize, name: &str, seed: u32) -> Coloring {
     match name {
         "hash" => Coloring::Hash { seed },
-        _ => {
+        "halton" => {
             let grid = Shape::new(4096, 4096).unwrap();
             Coloring::Halton(Halton::of_tiles(kind, grid).unwrap())
+        }
+        _ => {
+            let mut weights = vec![0.1 / colors as f64; 48 * colors];
+            for cell in 0..48 {
+                let (first, share) = (cell * colors / 48, 0.9 * (cell * colors % 48) as f64 / 48.0);
+                weights[cell * colors + first] += 0.9 - share;
+                weights[cell * colors + (first + 1) % colors] += share;
+            }
+            let shape = Shape::new(48, 1).unwrap();
+            let map = Probabilities::new(shape, [2, 2], colors, &weights, seed).unwrap();
+            Coloring::Probabilities(map)
         }
     }
 }
@@ -228,9 +241,9 @@ fn the_viewer_of_a_complete_set() {
         assert!(largest(&answers, name) > 2, "{name}: {answers}");
     }
     assert!(largest(&answers, "hardware") <= 6, "{answers}");
-    let names = ["hash", "halton"];
+    let names = ["hash", "halton", "fade"];
     tilings_are_those(&answers, &packing, &layout, &names, |name, seed| {
-        of_complete(Kind::Corner, name, seed)
+        of_complete(Kind::Corner, 3, name, seed)
     });
     all_true(&answers, &["drag", "wheel", "pinch", "arrow", "plus", "view key", "bias key"]);
     all_true(&answers, &["borders key", "help", "fold", "resize", "hover", "tiling key", "new key"]);
@@ -244,7 +257,7 @@ fn the_viewer_of_wang_tiles() {
     let Some(answers) = driven(&packing, &layout, 3, false) else { return };
     let names = ["hash", "halton"];
     tilings_are_those(&answers, &packing, &layout, &names, |name, seed| {
-        of_complete(Kind::Wang, name, seed)
+        of_complete(Kind::Wang, 0, name, seed)
     });
     assert!(largest(&answers, "row-major") > 2, "{answers}");
     assert!(largest(&answers, "hardware") <= 6, "{answers}");
@@ -252,14 +265,41 @@ fn the_viewer_of_wang_tiles() {
 
 #[test]
 fn the_viewer_of_a_sheet_with_gutters() {
-    // By number, so nothing fits; but gutters as wide as the strip show what would.
-    let packing = constructed(Kind::Corner, "2");
+    // By number, so nothing fits; but gutters as wide as the strip show what would. The 27 tiles whose
+    // edges are sums of colors on corners.
+    let tiles = [
+        69, 16, 76, 56, 33, 0, 12, 28, 57, 64, 61, 48, 23, 80, 11, 40, 4, 36, 8, 72, 44, 52, 68, 19,
+        47, 32, 24,
+    ];
+    let set = TileSet::new(Kind::Wang, Colors::one(3).unwrap(), Members::Explicit(alternating(3)));
+    let shape = Shape::new(9, 3).unwrap();
+    let packing = Packing::new(set.unwrap(), shape, false, tiles.map(TileId).to_vec());
+    assert!(tilepack::verify::check(&packing).is_valid());
     let layout = Layout::new(&packing, Arrangement::ByNumber, SIDE, STRIP).unwrap();
     let Some(answers) = driven(&packing, &layout, 3, false) else { return };
-    tilings_are_those(&answers, &packing, &layout, &["hash", "halton"], |name, seed| {
-        of_complete(Kind::Corner, name, seed)
+    tilings_are_those(&answers, &packing, &layout, &["sums"], |_, seed| {
+        Coloring::Sums(Sums::one_hash(Colors::one(3).unwrap(), seed).unwrap())
     });
     assert!(largest(&answers, "hardware") <= 6, "{answers}");
+}
+
+#[test]
+fn the_viewer_of_a_set_with_a_direct_tiling() {
+    // The 54 tiles of the difference set over three colors.
+    let tiles = [
+        18, 60, 56, 47, 79, 71, 50, 61, 2, 63, 23, 24, 69, 68, 32, 64, 14, 3, 36, 67, 59, 38, 31, 10,
+        39, 40, 4, 48, 52, 7, 27, 19, 33, 28, 46, 16, 55, 74, 26, 15, 57, 11, 12, 75, 35, 0, 72, 80,
+        44, 22, 51, 43, 76, 8,
+    ];
+    let set = TileSet::new(Kind::Corner, Colors::one(3).unwrap(), Members::Compact).unwrap();
+    let shape = Shape::new(9, 6).unwrap();
+    let packing = Packing::new(set, shape, false, tiles.map(TileId).to_vec());
+    assert!(tilepack::verify::check(&packing).is_valid());
+    let layout = Layout::new(&packing, Arrangement::Packed, SIDE, 0).unwrap();
+    let Some(answers) = driven(&packing, &layout, 11, false) else { return };
+    tilings_are_those(&answers, &packing, &layout, &["difference"], |_, seed| {
+        Coloring::Compact(Compact::of(3, seed).unwrap())
+    });
 }
 
 #[test]

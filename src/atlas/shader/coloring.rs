@@ -98,49 +98,58 @@ pub(super) fn templates(tiling: &Tiling) -> Vec<&'static str> {
     parts
 }
 
+/// The seeds of the hashes, each with the name of the constant that is its key.
+pub(super) fn seeds(tiling: &Tiling) -> Vec<(&'static str, u32)> {
+    match tiling.coloring() {
+        Coloring::Hash { seed } => vec![("KEY", *seed)],
+        Coloring::Compact(Compact::Xor(xor)) => vec![("KEY", xor.hash_seed())],
+        Coloring::Compact(Compact::Block4(block)) => {
+            vec![("KEY", block.frame_seed()), ("KEY_BLOCK", block.block_seed())]
+        }
+        Coloring::Compact(Compact::Diagonal(diagonal)) => {
+            let [begins, ends, bits] = diagonal.hash_seeds();
+            vec![("KEY", begins), ("KEY_ENDS", ends), ("KEY_BITS", bits)]
+        }
+        Coloring::Sums(sums) => {
+            let [horizontal, vertical] = sums.hash_seeds();
+            vec![("KEY", horizontal), ("KEY_VERTICAL", vertical)]
+        }
+        Coloring::Probabilities(map) => {
+            let [first, second] = map.hash_seeds();
+            vec![("KEY", first), ("KEY_SECOND", second)]
+        }
+        Coloring::Halton(_) | Coloring::Map(_) | Coloring::Permuted(_) => Vec::new(),
+    }
+}
+
 /// The constants that they name.
 pub(super) fn constants(tiling: &Tiling) -> Vec<(&'static str, u64)> {
-    let key = |name: &'static str, seed: u32| (name, u64::from(hash::key(seed)));
+    let keys = seeds(tiling).into_iter().map(|(name, seed)| (name, hash::key(seed).into()));
+    let mut constants: Vec<(&'static str, u64)> = keys.collect();
     match tiling.coloring() {
-        Coloring::Hash { seed } => vec![key("KEY", *seed)],
-        Coloring::Halton(halton) => vec![
+        Coloring::Halton(halton) => constants.extend([
             ("N1", halton.n1.into()),
             ("N2", halton.n2.into()),
             ("P1", halton.p1),
             ("P2", halton.p2),
             ("M1", halton.m1),
             ("M2", halton.m2),
-        ],
-        Coloring::Map(map) => {
-            vec![("MAP_W", map.shape().width() as u64), ("MAP_H", map.shape().height() as u64)]
-        }
-        Coloring::Compact(Compact::Xor(xor)) => {
-            vec![("BITS", xor.bits.into()), key("KEY", xor.hash_seed())]
-        }
-        Coloring::Compact(Compact::Block4(block)) => {
-            vec![key("KEY", block.frame_seed()), key("KEY_BLOCK", block.block_seed())]
-        }
-        Coloring::Compact(Compact::Diagonal(diagonal)) => {
-            let [begins, ends, bits] = diagonal.hash_seeds();
-            vec![key("KEY", begins), key("KEY_ENDS", ends), key("KEY_BITS", bits)]
-        }
-        Coloring::Sums(sums) => {
-            let [horizontal, vertical] = sums.hash_seeds();
-            vec![key("KEY", horizontal), key("KEY_VERTICAL", vertical)]
-        }
-        Coloring::Permuted(hash) => vec![("TABLES", hash.tables().len() as u64)],
-        Coloring::Probabilities(map) => {
-            let ([first, second], [x, y]) = (map.hash_seeds(), map.scale());
-            vec![
-                key("KEY", first),
-                key("KEY_SECOND", second),
-                ("MAP_W", map.shape().width() as u64),
-                ("MAP_H", map.shape().height() as u64),
-                ("SCALE_X", x.into()),
-                ("SCALE_Y", y.into()),
-            ]
-        }
+        ]),
+        Coloring::Map(map) => constants.extend([
+            ("MAP_W", map.shape().width() as u64),
+            ("MAP_H", map.shape().height() as u64),
+        ]),
+        Coloring::Compact(Compact::Xor(xor)) => constants.push(("BITS", xor.bits.into())),
+        Coloring::Permuted(hash) => constants.push(("TABLES", hash.tables().len() as u64)),
+        Coloring::Probabilities(map) => constants.extend([
+            ("MAP_W", map.shape().width() as u64),
+            ("MAP_H", map.shape().height() as u64),
+            ("SCALE_X", map.scale()[0].into()),
+            ("SCALE_Y", map.scale()[1].into()),
+        ]),
+        _ => {}
     }
+    constants
 }
 
 /// A line of the head.

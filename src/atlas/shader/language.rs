@@ -65,7 +65,7 @@ impl Language {
     }
 
     /// A constant of 32 bits.
-    pub(in crate::atlas) fn constant(self, name: &str, value: u64) -> String {
+    pub(super) fn constant(self, name: &str, value: u64) -> String {
         match self {
             Self::Wgsl => format!("const {name}: u32 = {value}u;\n"),
             Self::Hlsl => format!("static const uint {name} = {value}u;\n"),

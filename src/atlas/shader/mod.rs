@@ -18,7 +18,7 @@ pub use table::CellTable;
 
 use super::AtlasError;
 use crate::construct::corner_even::WINDOWS;
-use crate::tiling::{Cells, Formula, Tiling};
+use crate::tiling::{Cells, Formula, Tiling, hash};
 
 /// What is asked for.
 #[derive(Debug, Clone, Copy)]
@@ -78,6 +78,20 @@ impl<'a> Shader<'a> {
             text.push_str(&self.language.translate(template));
         }
         self.filled_in(&text)
+    }
+
+    /// [`Shader::functions`] with the seed left open: the keys of its hashes are uniforms, here with
+    /// their names and the seeds that they stand for. (GLSL.)
+    pub(in crate::atlas) fn open_functions(&self) -> (String, Vec<(String, u32)>) {
+        let mut text = self.functions();
+        let mut keys = Vec::new();
+        for (name, seed) in coloring::seeds(self.tiling) {
+            let name = format!("{}_{name}", self.name);
+            let constant = self.language.constant(&name, hash::key(seed).into());
+            text = text.replace(&constant, &format!("uniform uint {name};\n"));
+            keys.push((name, seed));
+        }
+        (text, keys)
     }
 
     /// The parts of the template, in an order that lets every function use those before it.

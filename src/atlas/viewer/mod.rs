@@ -15,7 +15,7 @@ use super::Light;
 use super::layout::Layout;
 use super::shader::CellTable;
 use crate::tiles::Kind;
-use crate::tiling::{Cells, Coloring};
+use crate::tiling::Cells;
 use crate::torus::Packing;
 use base64::engine::general_purpose::STANDARD;
 use base64::write::EncoderWriter;
@@ -54,6 +54,10 @@ pub fn write(out: &mut dyn Write, scene: &Scene<'_>) -> io::Result<()> {
     };
     let cells = Cells::table(scene.packing);
     let choices = Choice::all(scene, &cells).map_err(wrong)?;
+    let mut texts = Vec::with_capacity(choices.len());
+    for choice in &choices {
+        texts.push((choice.name, choice.texts(&cells).map_err(wrong)?));
+    }
     let script = [
         include_str!("page/gl.js"),
         include_str!("page/tilings.js"),
@@ -71,11 +75,9 @@ pub fn write(out: &mut dyn Write, scene: &Scene<'_>) -> io::Result<()> {
         match word {
             "TITLE" => out.write_all(quoted(&scene.title).as_bytes())?,
             "STYLE" => out.write_all(include_bytes!("page/style.css"))?,
-            "SCENE" => write!(out, "{}", in_script(&about(scene, &choices)))?,
+            "SCENE" => write!(out, "{}", in_script(&about(scene, &texts)))?,
             "TILINGS" => {
-                for choice in &choices {
-                    let functions = choice.functions(&cells).map_err(wrong)?;
-                    let id = choice.name;
+                for (id, (functions, _)) in &texts {
                     writeln!(
                         out,
                         "<script type=\"text/plain\" id=\"tiling-{id}\">{functions}</script>"
@@ -91,11 +93,11 @@ pub fn write(out: &mut dyn Write, scene: &Scene<'_>) -> io::Result<()> {
 }
 
 /// What the script needs to know.
-fn about(scene: &Scene<'_>, choices: &[Choice]) -> Value {
+fn about(scene: &Scene<'_>, texts: &[(&str, (String, Value))]) -> Value {
     let (layout, set) = (scene.layout, &scene.packing.set);
     let (kind, colors) = (set.kind(), set.colors());
     let tiles: Vec<u32> = layout.tiles.iter().map(|tile| tile.0).collect();
-    let tilings: Vec<Value> = choices.iter().map(about_tiling).collect();
+    let tilings: Vec<&Value> = texts.iter().map(|(_, (_, about))| about).collect();
     json!({
         "width": layout.columns,
         "height": layout.rows(),
@@ -112,22 +114,6 @@ fn about(scene: &Scene<'_>, choices: &[Choice]) -> Value {
         "table": CellTable::size(kind.tiles(colors)),
         "tilings": tilings,
         "seed": scene.seed,
-    })
-}
-
-fn about_tiling(choice: &Choice) -> Value {
-    let map = match choice.tiling.coloring() {
-        Coloring::Map(map) => json!({
-            "width": map.shape().width(), "height": map.shape().height(), "labels": map.labels(),
-        }),
-        _ => Value::Null,
-    };
-    json!({
-        "name": choice.name,
-        "title": choice.title,
-        "words": choice.words,
-        "seeded": choice.seeded(),
-        "map": map,
     })
 }
 

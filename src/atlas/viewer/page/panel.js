@@ -29,13 +29,13 @@ function makeControls(view, scene, changed) {
             tilings.which = (which + count) % count;
             element("tiling").selectedIndex = tilings.which;
             element("words").textContent = tilings.now.words;
-            const fixed = !tilings.now.seeded;
+            const fixed = !tilings.seeded;
             element("seed").disabled = element("new").disabled = fixed;
             element("seed").value = fixed ? "" : tilings.seed;
             changed();
         },
         seed(seed) {
-            if (!tilings.now.seeded || !(seed >= 0 && seed < 2 ** 32)) return;
+            if (!tilings.seeded || !(seed >= 0 && seed < 2 ** 32)) return;
             tilings.seed = Math.floor(seed);
             element("seed").value = tilings.seed;
             changed();

@@ -9,13 +9,33 @@ function mix(x) {
 }
 const seedKey = seed => mix(seed + 0x9e3779b9 | 0);
 
+// The patterns of 16 bits in order of their class, which is the sums of four rows and three columns
+// modulo 3; then where every class begins: what the blocks of the difference set are chosen from.
+function patterns() {
+    const ones = bits => bits ? (bits & 1) + ones(bits >> 1) : 0;
+    const classOf = pattern => {
+        let found = 0;
+        for (let u = 2; u >= 0; u--) found = 3 * found + ones(pattern >> u & 0x1111) % 3;
+        for (let v = 3; v >= 0; v--) found = 3 * found + ones(pattern >> 4 * v & 15) % 3;
+        return found;
+    };
+    const classes = Uint16Array.from({ length: 65536 }, (_, pattern) => classOf(pattern));
+    const begins = new Uint32Array(2188);
+    for (const found of classes) begins[found + 1]++;
+    begins.forEach((count, at) => { if (at > 0) begins[at] = begins[at - 1] + count; });
+    const data = new Uint32Array(65536 + 9 * 256);
+    data.set(begins, 65536);
+    classes.forEach((found, pattern) => { data[begins[found]++] = pattern; });
+    return { width: 256, height: data.length / 256, channels: 1, data };
+}
+
 class Tilings {
     constructor(gl, scene, filter) {
         const one = { internal: gl.R32UI, format: gl.RED_INTEGER, type: gl.UNSIGNED_INT };
         const two = { internal: gl.RG32UI, format: gl.RG_INTEGER, type: gl.UNSIGNED_INT };
         const { width, height, tiles } = scene;
         const [tableWidth, tableHeight] = scene.table;
-        Object.assign(this, { gl, scene, filter, two });
+        Object.assign(this, { gl, scene, filter, one, two });
         // The cell of every tile number; of several the first.
         this.table = new Uint32Array(tableWidth * tableHeight);
         for (let cell = tiles.length - 1; cell >= 0; cell--) this.table[tiles[cell]] = cell;
@@ -40,9 +60,13 @@ class Tilings {
         return this.scene.tilings[this.which];
     }
 
+    get seeded() {
+        return this.now.keys.length > 0;
+    }
+
     // What tells this tiling from all others.
     get name() {
-        return this.now.seeded ? this.now.name + " " + this.seed : this.now.name;
+        return this.seeded ? this.now.name + " " + this.seed : this.now.name;
     }
 
     // Where a tiling stands in the list, by its name.
@@ -56,7 +80,7 @@ class Tilings {
         if (made[purpose]) return made[purpose];
         const head = document.getElementById("tiling-" + tiling.name).textContent +
             "\n#define TP_MAP" + (tiling.map ? " , map" : "") + "\n";
-        if (tiling.map && !made.map) made.map = this.mapTexture(tiling.map);
+        if (tiling.map && !made.map) made.map = this.mapTexture(tiling.map === "patterns" ? patterns() : tiling.map);
         // Four tiles a texel; their number is handed over so that the loop stays one.
         const numbers = `uniform usampler2D map; uniform ivec2 corner; uniform int four; out uvec4 numbers;
             void main() {
@@ -69,13 +93,9 @@ class Tilings {
         return made[purpose];
     }
 
-    mapTexture({ width, height, labels }) {
-        const per = labels.length / (width * height);
-        const texels = new Uint32Array(2 * width * height);
-        labels.forEach((label, at) => {
-            texels[per === 2 ? at : 2 * at] = label;
-        });
-        return numbersTexture(this.gl, UNITS.map, this.two, width, height, texels);
+    mapTexture({ width, height, channels, data }) {
+        const format = channels === 2 ? this.two : this.one;
+        return numbersTexture(this.gl, UNITS.map, format, width, height, Uint32Array.from(data));
     }
 
     // Makes the program of the tiling the one to draw with; the places of its uniforms.
@@ -89,7 +109,9 @@ class Tilings {
         for (const name of ["table", "map", "ranks", "atlas"]) {
             if (places[name]) gl.uniform1i(places[name], UNITS[name]);
         }
-        if (places.tp_KEY) gl.uniform1ui(places.tp_KEY, seedKey(this.seed));
+        for (const [name, more] of this.now.keys) {
+            if (places[name]) gl.uniform1ui(places[name], seedKey(this.seed + more));
+        }
         return places;
     }
 
