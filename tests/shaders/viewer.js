@@ -7,7 +7,7 @@
     const text = id => document.getElementById(id).textContent;
     // Hands and keys. The picture must be another one after each.
     const canvas = document.getElementById("canvas");
-    const hands = async ({ view }, size, answers) => {
+    const hands = async ({ view, time }, size, answers) => {
         const tilings = view.tilings;
         let before = view.pixels();
         const moved = () => {
@@ -78,11 +78,25 @@
         while (view.looked.tile === tile) pointer("pointermove", ++other, 80);
         await frame();
         answers.held = view.marked === tile && text("tile").startsWith(`held: tile ${tile} ·`) &&
-            /^\d+ cop(y|ies) of \d+ tiles in view · equal share \(1\/81\) [\d.]+$/.test(text("copies"));
+            /^\d+ cop(y|ies) among \d+ in view · 1\/81 is [\d.]+$/.test(text("copies"));
         click(other, 80);
         answers["let go"] = view.marked !== tile && view.marked === view.looked.tile;
         key("r");
         before = view.pixels();
+
+        // A graphics card with a clock, which answers when it is asked again.
+        let asked = 0, told = 0;
+        const card = new time.constructor({
+            QUERY_RESULT: 1, QUERY_RESULT_AVAILABLE: 2,
+            getExtension: () => ({ TIME_ELAPSED_EXT: 3, GPU_DISJOINT_EXT: 4 }),
+            createQuery: () => ({}), beginQuery() {}, endQuery() {}, deleteQuery() {},
+            getParameter: () => false, isContextLost: () => false,
+            getQueryParameter: (query, what) => what === 2 ? asked++ > 0 : 2.5e6,
+        });
+        card.of("a card");
+        card.measure(() => {}, () => told++);
+        await new Promise(resolve => setTimeout(resolve, 150));
+        answers.clock = asked === 2 && told === 1 && card.words === "2.50 ms GPU";
 
         // A link says where to go.
         location.hash = "#tiling=halton&x=12&y=-7&zoom=24&view=assembled&borders=0";
@@ -105,7 +119,7 @@
         answers.resize = canvas.width === size[0] && canvas.height === size[1] && largest(view.pixels()) > 0;
     };
     try {
-        const { view, scene, controls } = await window.tilepack;
+        const { view, scene, controls, time } = await window.tilepack;
         await frame();
         const [width, height] = [canvas.width, canvas.height];
         view.resize(192, 192);
@@ -190,7 +204,7 @@
 
         if (thorough) {
             controls.tiling(0);
-            await hands({ view }, [width, height], answers);
+            await hands({ view, time }, [width, height], answers);
         }
         answers.failures = window.failures;
     } catch (error) {

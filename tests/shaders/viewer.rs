@@ -34,9 +34,7 @@ fn noise(kind: Kind, sides: [u8; 4], tile: TileId, x: usize, y: usize) -> [f64; 
     // A texel near a corner knows the corner's color, one near an edge those of both its ends; of
     // Wang tiles the edge has a color, and the corner nothing.
     let (ends, edges) = match kind {
-        Kind::Corner => {
-            ([a, b, c, d], [16 * d + a, 16 * a + b, 16 * c + b, 16 * d + c])
-        }
+        Kind::Corner => ([a, b, c, d], [16 * d + a, 16 * a + b, 16 * c + b, 16 * d + c]),
         _ => ([0; 4], [a, b, c, d]),
     };
     let ([ne, se, sw, nw], [north, east, south, west]) = (ends, edges);
@@ -193,8 +191,7 @@ fn tilings_are_those(
                 view["extent"].as_array().unwrap().iter().map(|at| at.as_i64().unwrap()).collect();
             let shape = Shape::new(extent[2] as u64, extent[3] as u64).unwrap();
             let window = tiling.window(extent[0], extent[1], shape);
-            let copies =
-                window.iter().filter(|tile| json!(tile.0) == view["tile"]).count();
+            let copies = window.iter().filter(|tile| json!(tile.0) == view["tile"]).count();
             assert!(copies > 0, "{view}");
             assert_eq!(view["count"], json!([copies, window.len()]), "{name} {seed}");
             assert_eq!(view["shown"], json!(copies), "{name} {seed}: {view}");
@@ -246,8 +243,11 @@ fn the_viewer_of_a_complete_set() {
         of_complete(Kind::Corner, 3, name, seed)
     });
     all_true(&answers, &["drag", "wheel", "pinch", "arrow", "plus", "view key", "bias key"]);
-    all_true(&answers, &["borders key", "help", "fold", "resize", "hover", "tiling key", "new key"]);
-    all_true(&answers, &["repeats key", "held", "let go", "link"]);
+    all_true(
+        &answers,
+        &["borders key", "help", "fold", "resize", "hover", "tiling key", "new key"],
+    );
+    all_true(&answers, &["repeats key", "held", "let go", "clock", "link"]);
 }
 
 #[test]
@@ -268,8 +268,8 @@ fn the_viewer_of_a_sheet_with_gutters() {
     // By number, so nothing fits; but gutters as wide as the strip show what would. The 27 tiles whose
     // edges are sums of colors on corners.
     let tiles = [
-        69, 16, 76, 56, 33, 0, 12, 28, 57, 64, 61, 48, 23, 80, 11, 40, 4, 36, 8, 72, 44, 52, 68, 19,
-        47, 32, 24,
+        69, 16, 76, 56, 33, 0, 12, 28, 57, 64, 61, 48, 23, 80, 11, 40, 4, 36, 8, 72, 44, 52, 68,
+        19, 47, 32, 24,
     ];
     let set = TileSet::new(Kind::Wang, Colors::one(3).unwrap(), Members::Explicit(alternating(3)));
     let shape = Shape::new(9, 3).unwrap();
@@ -287,9 +287,9 @@ fn the_viewer_of_a_sheet_with_gutters() {
 fn the_viewer_of_a_set_with_a_direct_tiling() {
     // The 54 tiles of the difference set over three colors.
     let tiles = [
-        18, 60, 56, 47, 79, 71, 50, 61, 2, 63, 23, 24, 69, 68, 32, 64, 14, 3, 36, 67, 59, 38, 31, 10,
-        39, 40, 4, 48, 52, 7, 27, 19, 33, 28, 46, 16, 55, 74, 26, 15, 57, 11, 12, 75, 35, 0, 72, 80,
-        44, 22, 51, 43, 76, 8,
+        18, 60, 56, 47, 79, 71, 50, 61, 2, 63, 23, 24, 69, 68, 32, 64, 14, 3, 36, 67, 59, 38, 31,
+        10, 39, 40, 4, 48, 52, 7, 27, 19, 33, 28, 46, 16, 55, 74, 26, 15, 57, 11, 12, 75, 35, 0,
+        72, 80, 44, 22, 51, 43, 76, 8,
     ];
     let set = TileSet::new(Kind::Corner, Colors::one(3).unwrap(), Members::Compact).unwrap();
     let shape = Shape::new(9, 6).unwrap();

@@ -132,18 +132,15 @@ fn rules(scene: &Scene<'_>) -> Vec<(&'static str, String, String, Coloring)> {
     let compact = [Compact::of(number, seed), Diagonal::new(number, seed).map(Compact::Diagonal)];
     for compact in compact.into_iter().flatten() {
         let rule = compact.rule();
-        let words = format!(
-            "the compact {} set, tile by tile by a formula: {}",
-            rule.name(),
-            rule.words()
-        );
-        let title = format!("direct ({})", rule.name());
+        let words =
+            format!("the compact {} set, tile by tile by a formula: {}", rule.name(), rule.words());
+        let title = format!("direct: {}", rule.name());
         add(rule.name(), &title, &words, Coloring::Compact(compact));
     }
     if let Ok(sums) = Sums::one_hash(colors, seed) {
         let words = "a compact set, tile by tile by a formula: an edge has the sum of the hashed colors \
                      of its ends";
-        add("sums", "direct (sums)", words, Coloring::Sums(sums));
+        add("sums", "direct: sums", words, Coloring::Sums(sums));
     }
     rules
 }

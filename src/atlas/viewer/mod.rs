@@ -49,9 +49,8 @@ pub struct Scene<'a> {
 /// # Errors
 /// What `out` reports; [`io::ErrorKind::InvalidInput`] for a packing that no tiling can be made of.
 pub fn write(out: &mut dyn Write, scene: &Scene<'_>) -> io::Result<()> {
-    let wrong = |error: super::AtlasError| {
-        io::Error::new(io::ErrorKind::InvalidInput, error.to_string())
-    };
+    let wrong =
+        |error: super::AtlasError| io::Error::new(io::ErrorKind::InvalidInput, error.to_string());
     let cells = Cells::table(scene.packing);
     let choices = Choice::all(scene, &cells).map_err(wrong)?;
     let mut texts = Vec::with_capacity(choices.len());

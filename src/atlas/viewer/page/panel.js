@@ -127,7 +127,7 @@ function tellCopies(view) {
     const number = document.createElement("b");
     number.textContent = copies === 1 ? "1 copy" : `${copies} copies`;
     const share = (tiles / different).toFixed(1);
-    element("copies").replaceChildren(number, ` of ${tiles} tiles in view · equal share (1/${different}) ${share}`);
+    element("copies").replaceChildren(number, ` among ${tiles} in view · 1/${different} is ${share}`);
 }
 
 function tellLevel(view, scene) {
