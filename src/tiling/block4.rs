@@ -12,7 +12,8 @@
 //! of a tile are independent, and so are any two points; every tile has probability 1/54. Counted over
 //! all classes, a tile has 0.99664 of the one bit of freedom that there can be.
 
-use super::hash::{hash3, uni};
+use super::hash::{hash3, key, mix, uni};
+use super::rows::begun;
 use std::sync::LazyLock;
 
 /// A tiling of the difference set over three colors.
@@ -156,5 +157,122 @@ impl Frame4 {
     pub(super) fn color(&self, pattern: u16, u: usize, v: usize) -> u8 {
         let ones = (pattern & BELOW[v][u]).count_ones() as u8;
         (self.south[u] + self.west[v] + 3 - self.south[0] + ones) % 3
+    }
+}
+
+/// Rows of colors: the patterns of a row of blocks are kept.
+#[derive(Debug)]
+pub(super) struct Block4Rows {
+    block: Block4,
+    /// The first block, and how many points of it are left out.
+    first: i64,
+    skipped: usize,
+    /// The row of blocks known.
+    known: Option<i64>,
+    /// The frame along rows in the south and north, four points a block and one more.
+    south: Vec<u8>,
+    north: Vec<u8>,
+    /// The frame along columns: of every block the points of rows 0 to 4, and of the last one's east.
+    columns: Vec<[u8; 5]>,
+    patterns: Vec<u16>,
+    /// The colors of whole blocks, before they are reduced.
+    sums: Vec<u8>,
+}
+
+/// For four bits of a row of a pattern the sums of those before each, a byte each.
+const BEFORE: [[u8; 4]; 16] = {
+    let mut sums = [[0; 4]; 16];
+    let mut bits = 0;
+    while bits < 16 {
+        let mut at = 1;
+        while at < 4 {
+            sums[bits][at] = sums[bits][at - 1] + (bits >> (at - 1) & 1) as u8;
+            at += 1;
+        }
+        bits += 1;
+    }
+    sums
+};
+
+impl Block4Rows {
+    pub(super) fn new(block: Block4, x: i64, count: usize) -> Self {
+        let skipped = x.rem_euclid(SIDE) as usize;
+        let blocks = (skipped + count).div_ceil(4);
+        Self {
+            block,
+            first: x.div_euclid(SIDE),
+            skipped,
+            known: None,
+            south: vec![0; 4 * blocks + 1],
+            north: vec![0; 4 * blocks + 1],
+            columns: vec![[0; 5]; blocks + 1],
+            patterns: vec![0; blocks],
+            sums: vec![0; 4 * blocks],
+        }
+    }
+
+    /// Colors the frame of a row of blocks, and chooses their patterns.
+    fn prepare(&mut self, row: i64) {
+        let frame_key = key(self.block.frame_seed());
+        let color = |begun: u32, x: i64| uni(mix((x as u32).wrapping_add(begun)), 3) as u8;
+        let (x0, y0) = (self.first.wrapping_mul(SIDE), row.wrapping_mul(SIDE));
+        let line = |points: &mut [u8], y: i64| {
+            let begun = begun(frame_key, y);
+            for (point, at) in points.iter_mut().zip(0..) {
+                *point = color(begun, x0.wrapping_add(at));
+            }
+        };
+        match self.known.is_some_and(|known| known == row.wrapping_add(1)) {
+            true => std::mem::swap(&mut self.north, &mut self.south),
+            false => line(&mut self.north, y0.wrapping_add(SIDE)),
+        }
+        line(&mut self.south, y0);
+        for (at, column) in self.columns.iter_mut().enumerate() {
+            (column[0], column[4]) = (self.south[4 * at], self.north[4 * at]);
+        }
+        for v in 1..4 {
+            let begun = begun(frame_key, y0.wrapping_add(v as i64));
+            for (column, at) in self.columns.iter_mut().zip(0..) {
+                column[v] = color(begun, x0.wrapping_add(SIDE * at));
+            }
+        }
+        let block_begun = begun(key(self.block.block_seed()), row);
+        for (at, pattern) in self.patterns.iter_mut().enumerate() {
+            let five = |row: &[u8]| std::array::from_fn(|u| row[4 * at + u]);
+            let frame = Frame4 {
+                south: five(&self.south),
+                north: five(&self.north),
+                west: self.columns[at],
+                east: self.columns[at + 1],
+            };
+            let (begin, count) = frame.patterns();
+            let hash = mix((self.first.wrapping_add(at as i64) as u32).wrapping_add(block_begun));
+            *pattern = PATTERNS.patterns[(begin + uni(hash, count)) as usize];
+        }
+        self.known = Some(row);
+    }
+
+    /// The colors of the row `y`.
+    pub(super) fn row(&mut self, y: i64, colors: &mut [u8]) {
+        let row = y.div_euclid(SIDE);
+        if self.known != Some(row) {
+            self.prepare(row);
+        }
+        let v = y.rem_euclid(SIDE) as usize;
+        let blocks = self.sums.chunks_exact_mut(4).zip(self.south.chunks_exact(4));
+        for (((sums, south), pattern), column) in blocks.zip(&self.patterns).zip(&self.columns) {
+            let shift = column[v] + 3 - column[0];
+            let mut bytes = [south[0], south[1], south[2], south[3]].map(|color| color + shift);
+            for below in 0..v {
+                let before = BEFORE[usize::from(pattern >> (4 * below) & 15)];
+                for (byte, more) in bytes.iter_mut().zip(before) {
+                    *byte += more;
+                }
+            }
+            sums.copy_from_slice(&bytes);
+        }
+        for (color, sum) in colors.iter_mut().zip(&self.sums[self.skipped..]) {
+            *color = sum % 3;
+        }
     }
 }

@@ -50,6 +50,14 @@ pub enum TilingError {
     /// A number of colors without a direct tiling of a compact set.
     #[error("compact corner sets over {0} colors: expected 2 to 128 colors")]
     CompactColors(usize),
+    /// A number of colors that blocks are not made for.
+    #[error("blocks of the compact difference set over {colors} colors: expected 2 to {most}")]
+    FrameColors {
+        /// Asked for.
+        colors: usize,
+        /// At most.
+        most: usize,
+    },
     /// Different colors where one palette is needed.
     #[error("the compact set of Wang tiles has one palette for all edges, not {0} colors")]
     TwoPalettes(Colors),
@@ -95,6 +103,23 @@ pub enum TilingError {
          make it with find --method construct, or look tiles up in a table"
     )]
     NotTheFormula(String),
+    /// A place where no tile fits.
+    #[error(
+        "no tile of the set fits at ({x}, {y}) to those laid before: a scanline goes no way back; \
+         take another --seed, or a compact or complete set, where some tile always fits"
+    )]
+    NothingFits {
+        /// To the east.
+        x: i64,
+        /// To the north.
+        y: i64,
+    },
+    /// A compact set whose tiles are not said.
+    #[error(
+        "a compact set does not say which its tiles are: expected a packing of one, or a tile set \
+         file (tile --coloring compact --set-out writes one)"
+    )]
+    NoTiles,
     /// A tile that the tiling needs and the packing lacks.
     #[error("tile {tile} ({sides}) of the tiling is not in the packing: {needs}")]
     MissingTile {

@@ -25,13 +25,20 @@ mod cells;
 mod color_map;
 mod compact;
 mod diagonal;
+mod dipole;
+mod draws;
 mod error;
+mod fill;
+mod frame;
 mod halton;
 pub mod hash;
 mod mixed;
 mod permuted;
 mod probabilities;
+mod rows;
 mod rule;
+mod scanline;
+mod stats;
 mod sums;
 mod support;
 mod xor;
@@ -42,17 +49,21 @@ pub use color_map::ColorMap;
 pub use compact::Compact;
 pub use diagonal::Diagonal;
 pub use error::TilingError;
+pub use fill::{Square, filled, least_side};
+pub use frame::Frames;
 pub use halton::Halton;
 pub use mixed::{Mixed, mixed};
 pub use permuted::Permuted;
 pub use probabilities::{Column, Probabilities};
 pub use rule::{Rule, alternating};
+pub use scanline::{Laid, scanline};
+pub use stats::{Stats, stats};
 pub use sums::Sums;
 pub use xor::Xor;
 
 use crate::tiles::{Colors, Kind, Members, TileId};
 use crate::torus::Shape;
-use hash::{hash3, uni};
+use std::convert::Infallible;
 
 /// What gives corners and edges their colors.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -179,24 +190,28 @@ impl Tiling {
         }
     }
 
+    /// Bits of freedom of a tile, in a large window: 0 when only few things can be chosen. Of blocks a
+    /// lower bound.
+    pub fn entropy(&self) -> f64 {
+        let (h, v) = (self.colors.horizontal() as f64, self.colors.vertical() as f64);
+        match (&self.coloring, self.kind) {
+            (Coloring::Hash { .. }, Kind::Corner) => h.log2(),
+            (Coloring::Hash { .. }, _) => h.log2() + v.log2(),
+            (Coloring::Sums(sums), _) if sums.two => h.log2() + v.log2(),
+            (Coloring::Sums(_), _) => h.log2(),
+            (Coloring::Compact(compact), _) => compact.entropy(),
+            (Coloring::Probabilities(map), _) => map.entropy(),
+            (Coloring::Halton(_) | Coloring::Map(_) | Coloring::Permuted(_), _) => 0.0,
+        }
+    }
+
     /// The colors of the tile at a place, in the order of [`Kind::sides`].
     pub fn sides(&self, x: i64, y: i64) -> [u8; 4] {
         match &self.coloring {
-            Coloring::Hash { seed } => {
-                // The lower 32 bits: what a shader counts in.
-                let hash = |x: i64, y: i64| hash3(*seed, x as u32, y as u32);
-                self.around(x, y, |x, y, colors| uni(hash(x, y), colors as u32) as u8)
-            }
-            Coloring::Halton(halton) => {
-                self.around(x, y, |x, y, colors| halton.color(x, y, colors))
-            }
             Coloring::Map(map) => map.sides(x, y),
-            Coloring::Compact(compact) => self.around(x, y, |x, y, _| compact.color(x, y)),
+            Coloring::Compact(Compact::Frames(frames)) => frames.sides(x, y),
             Coloring::Sums(sums) => sums.sides(x, y, self.colors),
-            Coloring::Permuted(tables) => {
-                self.around(x, y, |x, y, colors| tables.color(x, y, colors))
-            }
-            Coloring::Probabilities(map) => self.around(x, y, |x, y, _| map.color(x, y)),
+            _ => self.around(x, y, |x, y, colors| self.point(x, y, colors)),
         }
     }
 
@@ -210,11 +225,14 @@ impl Tiling {
 
     /// The tiles of a window, row by row from the north; `x` and `y` are of its south-west tile.
     pub fn window(&self, x: i64, y: i64, shape: Shape) -> Vec<TileId> {
-        let rows = (0..shape.height() as i64).rev();
-        rows.flat_map(|row| {
-            (0..shape.width() as i64).map(move |column| self.tile(x + column, y + row))
-        })
-        .collect()
+        let mut window = Vec::with_capacity(shape.cells());
+        let all: Result<(), Infallible> = self.try_for_each_row(x, y, shape, |_, row| {
+            window.extend_from_slice(row);
+            Ok(())
+        });
+        match all {
+            Ok(()) => window,
+        }
     }
 
     /// The colors around a tile, when each is known from its point and the number of colors.

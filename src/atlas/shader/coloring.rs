@@ -36,6 +36,16 @@ pub(super) fn check(tiling: &Tiling) -> Result<(), AtlasError> {
                 )));
             }
         }
+        Coloring::Compact(Compact::Frames(frames)) => {
+            return Err(AtlasError::Asked(format!(
+                "the compact set over {} colors is tiled by blocks of {2}x{2} tiles, too many for a \
+                 shader at every pixel; write a window of it with tile --size {1}x{1} and give that \
+                 as --coloring map:FILE, or take --coloring diagonal",
+                frames.colors(),
+                16 * frames.side(),
+                frames.side()
+            )));
+        }
         _ => {}
     }
     Ok(())
@@ -77,6 +87,8 @@ pub(super) fn templates(tiling: &Tiling) -> Vec<&'static str> {
             vec![KEYED, include_str!("template/diagonal.wgsl")]
         }
         Coloring::Compact(Compact::Block4(_)) => vec![KEYED, include_str!("template/block4.wgsl")],
+        // Refused above.
+        Coloring::Compact(Compact::Frames(_)) => vec![],
         Coloring::Sums(_) => vec![KEYED, include_str!("template/sums.wgsl")],
         Coloring::Permuted(_) => vec![
             AROUND,
@@ -118,6 +130,7 @@ pub(super) fn seeds(tiling: &Tiling) -> Vec<(&'static str, u32)> {
             let [first, second] = map.hash_seeds();
             vec![("KEY", first), ("KEY_SECOND", second)]
         }
+        Coloring::Compact(Compact::Frames(_)) => Vec::new(),
         Coloring::Halton(_) | Coloring::Map(_) | Coloring::Permuted(_) => Vec::new(),
     }
 }

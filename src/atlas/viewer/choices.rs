@@ -1,7 +1,7 @@
 //! The tilings of the page: those that the packed set allows, the best first.
 //!
-//! A tiling by a rule needs the tiles that the rule lays; whether the packing has them is asked of
-//! [`Cells`]. Where no rule will do, it is a map of the packing, mixed ([`mixed`]). The seed of a rule
+//! A tiling by a rule needs the tiles that the rule lays; [`Shader`] says whether the packing has them.
+//! Where no rule will do, it is a map of the packing, mixed ([`mixed`]). The seed of a rule
 //! is left open in the shader's text, so that another seed is another number and no other program.
 
 use super::Scene;
@@ -41,8 +41,9 @@ impl Choice {
         let (set, seed) = (&scene.packing.set, scene.seed);
         let mut all = Vec::new();
         for (name, title, words, coloring) in rules(scene) {
+            // Not every tiling has a shader, either.
             if let Ok(tiling) = Tiling::new(set.kind(), set.colors(), coloring)
-                && cells.check(&tiling).is_ok()
+                && Shader::new(Language::GlslEs300, &tiling, cells, "tp").is_ok()
             {
                 all.push(Self { name, title, words, tiling, seed });
             }

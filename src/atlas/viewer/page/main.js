@@ -50,8 +50,12 @@ async function begin() {
     const tilings = new Tilings(gl, scene, element("filter-text").textContent);
     const view = new View(canvas, gl, scene, levels, tilings);
     const time = new FrameTime(gl);
-    const tellTime = () => { element("time").textContent = time.words; };
     let waiting = false;
+    const tellTime = () => {
+        element("time").textContent = time.words;
+        // The first frame also makes programs ready: another one tells.
+        if (time.frames === 1) changed();
+    };
     const changed = () => {
         if (waiting) return;
         waiting = true;

@@ -55,7 +55,7 @@ class FrameTime {
         }, 30);
     }
 
-    // The first frame counts until there is another: programs are made ready in it.
+    // The first frame counts until there is another.
     add(time) {
         const weight = this.frames < 2 ? 1 : Math.max(0.2, 1 / this.frames);
         this.mean += weight * (time - this.mean);
