@@ -95,9 +95,9 @@
             getQueryParameter: (query, what) => what === 2 ? asked++ > 0 : 2.5e6,
         });
         card.of("a card");
-        card.measure(() => {}, () => told++);
+        for (const _ of [1, 2]) card.measure(() => {}, () => told++);
         for (let tries = 0; tries < 100 && told === 0; tries++) await later(20);
-        answers.clock = asked === 2 && told === 1 && card.words === "2.50 ms GPU";
+        answers.clock = asked === 3 && told === 1 && card.words === "2.50 ms GPU";
 
         // A link says where to go.
         location.hash = "#tiling=halton&x=12&y=-7&zoom=24&view=assembled&borders=0";

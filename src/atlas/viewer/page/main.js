@@ -37,7 +37,7 @@ function warm(tilings) {
         tilings.make(which, "numbers");
         next(which + 1);
     });
-    next(0);
+    setTimeout(() => next(0), 1000);
 }
 
 async function begin() {
@@ -53,7 +53,7 @@ async function begin() {
     let waiting = false;
     const tellTime = () => {
         element("time").textContent = time.words;
-        // The first frame also makes programs ready: another one tells.
+        // The first one tells nothing yet.
         if (time.frames === 1) changed();
     };
     const changed = () => {

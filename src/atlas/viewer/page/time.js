@@ -55,14 +55,14 @@ class FrameTime {
         }, 30);
     }
 
-    // The first frame counts until there is another.
+    // The first frame does not count: programs are made ready in it.
     add(time) {
-        const weight = this.frames < 2 ? 1 : Math.max(0.2, 1 / this.frames);
-        this.mean += weight * (time - this.mean);
+        const weight = Math.max(0.2, 1 / Math.max(this.frames, 1));
+        if (this.frames > 0) this.mean += weight * (time - this.mean);
         this.frames++;
     }
 
     get words() {
-        return this.frames === 0 ? "" : this.mean.toFixed(this.mean < 10 ? 2 : 0) + " ms " + this.kind;
+        return this.frames < 2 ? "" : this.mean.toFixed(this.mean < 10 ? 2 : 0) + " ms " + this.kind;
     }
 }
