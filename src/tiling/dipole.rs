@@ -18,14 +18,17 @@ pub(super) fn dipoles(fill: &mut Fill<'_>, draws: &mut Draws) {
     let units = fill.colors - 1;
     let half = 2 * units;
     let begin = fill.square.side - 2 * half;
-    let quadrants = [[begin, begin], [begin, begin + half], [begin + half, begin], [begin + half; 2]];
+    let quadrants =
+        [[begin, begin], [begin, begin + half], [begin + half, begin], [begin + half; 2]];
     // Dominoes, and free cells at random.
     for (which, &origin) in quadrants.iter().enumerate() {
         let quadrant = Quadrant { origin, upright: which == 0 || which == 3, units };
         quadrant.lay(fill, draws);
     }
-    let quadrant = |which: usize| {
-        Quadrant { origin: quadrants[which], upright: which == 0 || which == 3, units }
+    let quadrant = |which: usize| Quadrant {
+        origin: quadrants[which],
+        upright: which == 0 || which == 3,
+        units,
     };
     // Totals: rows a by (a, b), columns a by (b, a), rows b by (b, b).
     for (which, axis, from) in [(1, 0, begin), (2, 1, begin), (3, 0, begin + half)] {

@@ -5,8 +5,8 @@
 //! the bits of an xor set, the blocks of a difference set are kept. A window takes memory for some
 //! rows, however high it is. That a row is what [`Tiling::tile`] says, tile by tile, is tested.
 
-use super::frame::FrameRows;
 use super::block4::Block4Rows;
+use super::frame::FrameRows;
 use super::halton::HaltonRows;
 use super::hash::{hash3, key, mix, uni};
 use super::xor::XorRows;

@@ -170,10 +170,12 @@ impl Field {
     /// The largest share of equal colors in two rows.
     fn row_agreement(&self) -> f64 {
         let rows: Vec<&[u8]> = self.labels.chunks(self.width).take(ROWS).collect();
-        let equal = |a: &[u8], b: &[u8]| a.iter().zip(b).map(|(a, b)| u32::from(a == b)).sum::<u32>();
-        let pairs = rows.iter().enumerate().flat_map(|(at, a)| {
-            rows[at + 1..].iter().map(move |b| equal(a, b))
-        });
+        let equal =
+            |a: &[u8], b: &[u8]| a.iter().zip(b).map(|(a, b)| u32::from(a == b)).sum::<u32>();
+        let pairs = rows
+            .iter()
+            .enumerate()
+            .flat_map(|(at, a)| rows[at + 1..].iter().map(move |b| equal(a, b)));
         f64::from(pairs.max().unwrap_or(0)) / self.width as f64
     }
 

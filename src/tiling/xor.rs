@@ -87,8 +87,7 @@ impl XorRows {
             let west = self.x.wrapping_sub(count - 1);
             let first = rows::begun(key(self.xor.hash_seed()), row);
             for (bit, at) in self.bits[place(row)].iter_mut().zip(0..) {
-                *bit = (mix((west as u32).wrapping_add(at).wrapping_add(first)) >> 31)
-                    as u8;
+                *bit = (mix((west as u32).wrapping_add(at).wrapping_add(first)) >> 31) as u8;
             }
         }
         self.known = Some(south);

@@ -54,7 +54,7 @@ impl Case {
     }
 
     /// A coloring, over all tiles that it can show, which lie in the order of their numbers.
-    fn of(kind: Kind, colors: &str, name: &str, coloring: Coloring) -> Self {
+    pub(crate) fn of(kind: Kind, colors: &str, name: &str, coloring: Coloring) -> Self {
         let tiling = Tiling::new(kind, colors.parse().unwrap(), coloring).unwrap();
         let set = TileSet::new(kind, tiling.colors(), tiling.needs()).unwrap();
         let shape = Shape::near_square(set.size()).unwrap();

@@ -111,6 +111,13 @@ fn what_no_shader_can_do_is_refused() {
         let message = refused.unwrap_err().to_string();
         assert!(message.starts_with(&format!("name '{name}': expected")), "{message}");
     }
+    // Whole blocks at every pixel.
+    let colors = tilepack::tiles::Colors::one(5).unwrap();
+    let compact = tilepack::tiling::Compact::of(5, 1).unwrap();
+    let blocks = Case::of(Kind::Corner, "5", "blocks", Coloring::Compact(compact));
+    assert_eq!(blocks.tiling.colors(), colors);
+    let refused = Shader::new(Language::GlslEs300, &blocks.tiling, &blocks.cells, "my");
+    assert!(refused.unwrap_err().to_string().contains("16x16 tiles, too much work"));
     // More points than 32 bits hold.
     let grid = tilepack::torus::Shape::new(30000, 30000).unwrap();
     let halton = tilepack::tiling::Halton::of_tiles(Kind::Corner, grid).unwrap();

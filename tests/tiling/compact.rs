@@ -115,8 +115,7 @@ fn the_table_of_blocks_is_whole() {
     let counts: Vec<u32> = PATTERNS.begins.windows(2).map(|pair| pair[1] - pair[0]).collect();
     assert_eq!((counts.iter().min(), counts.iter().max()), (Some(&16), Some(&90)));
     // Bits of freedom of a tile: the frame has 7 points a block, the pattern the rest.
-    let patterns: f64 =
-        counts.iter().map(|&n| f64::from(n) / 65536.0 * f64::from(n).log2()).sum();
+    let patterns: f64 = counts.iter().map(|&n| f64::from(n) / 65536.0 * f64::from(n).log2()).sum();
     let uniform: f64 = counts.iter().map(|&n| f64::from(n).log2()).sum::<f64>() / 2187.0;
     let entropy = (7.0 * 3f64.log2() + uniform) / 16.0;
     assert!((entropy - 0.99664).abs() < 5e-6, "{entropy} {patterns}");

@@ -38,11 +38,9 @@ pub(super) fn check(tiling: &Tiling) -> Result<(), AtlasError> {
         }
         Coloring::Compact(Compact::Frames(frames)) => {
             return Err(AtlasError::Asked(format!(
-                "the compact set over {} colors is tiled by blocks of {2}x{2} tiles, too many for a \
-                 shader at every pixel; write a window of it with tile --size {1}x{1} and give that \
-                 as --coloring map:FILE, or take --coloring diagonal",
+                "the compact set over {} colors is tiled by blocks of {1}x{1} tiles, too much work \
+                 for a shader at every pixel: take --coloring diagonal, or map:FILE with a packing",
                 frames.colors(),
-                16 * frames.side(),
                 frames.side()
             )));
         }
