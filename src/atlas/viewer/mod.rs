@@ -128,9 +128,10 @@ fn write_levels(out: &mut dyn Write, levels: &[Vec<u8>]) -> io::Result<()> {
     Ok(())
 }
 
-/// Text between tags.
+/// Text between tags, or of an attribute.
 fn quoted(text: &str) -> String {
-    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;")
+    let text = text.replace('&', "&amp;").replace('"', "&quot;");
+    text.replace('<', "&lt;").replace('>', "&gt;")
 }
 
 /// JSON inside of a script, which must not end it.
