@@ -1,7 +1,7 @@
 //! The vectors that fix the colorings for all programs.
 
 use tilepack::tiles::{Colors, Kind, Members, TileId};
-use tilepack::tiling::{Block4, Coloring, Permuted, Sums, Tiling, Xor};
+use tilepack::tiling::{Block4, Coloring, Permuted, Rule, Sums, Tiling, Xor};
 
 fn rows(from: i64, width: i64, height: i64, color: impl Fn(i64, i64) -> u8) -> Vec<Vec<u8>> {
     (0..height).map(|y| (from..from + width).map(|x| color(x, y)).collect()).collect()
@@ -135,4 +135,23 @@ fn wang_tiles_by_sums() {
     }
     let two = Colors::pair(2, 3).unwrap();
     assert!(Sums::one_hash(two, 1).is_err());
+}
+
+/// Windows in print of tilings whose other hashes are not: of the diagonal set over 3 and 6 colors
+/// and of blocks of 16 over 4, rows from the south. They obey the rules of their sets.
+#[test]
+fn windows_in_print_are_of_their_sets() {
+    let three = [[2, 0, 0, 0, 0, 1, 2, 2], [2, 2, 0, 0, 0, 1, 2, 1], [1, 2, 1, 1, 0, 1, 0, 1]];
+    let six = [[4, 3, 3, 4, 0, 5, 5, 3], [0, 3, 0, 0, 2, 1, 5, 4], [1, 1, 0, 1, 0, 5, 3, 4]];
+    let four = [[1, 1, 1, 3, 0, 3, 0, 0], [2, 3, 3, 1, 3, 3, 1, 2], [1, 2, 2, 0, 2, 3, 1, 3]];
+    for (rule, colors, rows) in
+        [(Rule::Diagonal, 3, three), (Rule::Diagonal, 6, six), (Rule::Difference, 4, four)]
+    {
+        for two in rows.windows(2) {
+            for (south, north) in two[0].windows(2).zip(two[1].windows(2)) {
+                let sides = [north[1], south[1], south[0], north[0]];
+                assert!(rule.admits(colors, sides), "{rule:?} {colors}: {sides:?}");
+            }
+        }
+    }
 }

@@ -107,18 +107,19 @@ export --to). X counts to the east, Y to the north, both from -2^62 to 2^62. Win
 pictures are read, from the north.
 
 --coloring, and the tiles that it needs in --packing:
-  hash               random corners or edges: all tiles over the colors
-  two-hash           Wang tiles, edges by two hashes of their ends: all tiles
-  halton:WxH         corners that keep equal colors apart; then repeated: all tiles
-  table, long-period hashes by permutations, of period 24 and 5930659848: all tiles
-  compact            corner tiles: the 2 C^3 tiles of the xor set (C = 2, 4, 8, ...), or else of the \
-difference set; Wang tiles: the C^3 tiles whose edges are sums of one hash
-  diagonal           corner tiles: the 2 C^3 tiles of the diagonal set; simpler, but streaky
-  probabilities:FILE corner tiles: those that the map in the file admits; a text or a PNG, \
-docs/formats.md says how; probabilities:WxH:FILE makes its cells W x H points
-  map:FILE           the tiles of the file, whose south-west tile is the one at 0 0
-  scanline           tile after tile (corner tiles from the south), by the tiles of --packing or \
-of --set; what is laid depends on where --size begins
+  hash                random corners or edges: all tiles over the colors
+  two-hash            Wang tiles, edges by two hashes of their ends: all tiles
+  halton:WxH          corners that keep equal colors apart, then repeated: all tiles
+  table, long-period  hashes by permutations, of period 24 and 5930659848: all tiles
+  compact             corner tiles: the 2 C^3 tiles of the xor set where C is 2, 4, 8, ...,
+                      else of the difference set; Wang tiles: C^3 tiles, whose edges are
+                      sums of one hash
+  diagonal            corner tiles: the 2 C^3 tiles of the diagonal set; simple, but streaky
+  probabilities:FILE  corner tiles: those that the map in the file admits, a text or a PNG
+                      (docs/formats.md); with probabilities:WxH:FILE cells of W x H points
+  map:FILE            the tiles of the file, whose south-west tile is the one at 0 0
+  scanline            tile after tile, corner tiles from the south: the tiles of --packing or
+                      --set; what is laid depends on where the window begins
 
 --set-out writes the tiles needed, so that find --set packs them. --stats counts a window: misfits, \
 tiles seen, chi2 of their numbers per degree of freedom, equal neighbors, dependence of points.
@@ -126,8 +127,8 @@ tiles seen, chi2 of their numbers per degree of freedom, equal neighbors, depend
 Examples:
   tilepack tile --kind corner --colors 3 --seed 7 -5 12
   tilepack tile --kind wang --colors 2,3 --coloring halton:256x256 0 0 --size 16x4
-  tilepack tile --kind wang --colors 3 --coloring compact 0 0 --set-out 27.json
-  tilepack find --set 27.json -o 27-packed.json; tilepack tile 5 2 --packing 27-packed.json --coloring compact
+  tilepack tile --kind wang --colors 3 --coloring compact 0 0 --set-out s.json
+  tilepack find --set s.json -o q.json; tilepack tile 5 2 --packing q.json --coloring compact
   tilepack tile --kind corner --colors 4 --coloring compact 0 0 --size 256x256 --stats
   tilepack tile --kind corner --colors 3 --coloring scanline 0 0 --size 9x9
   tilepack find --kind corner --colors 3 -o p.json; tilepack tile 5 2 --packing p.json --json
