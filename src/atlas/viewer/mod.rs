@@ -2,7 +2,7 @@
 //!
 //! Nothing is fetched, so it works from a disk. The atlas goes along as PNG files, one for every mip
 //! level, so that no driver resamples them; the tilings are those of [`super::shader`] that the packed
-//! set allows ([`choices`]). Its filters are written out in the shader, over texels that are fetched
+//! set allows. Its filters are written out in the shader, over texels that are fetched
 //! one by one: so *packed*, filtered in the atlas, can be held against *assembled*, every texel from
 //! the tile that the tiling has there. An atlas encoded for the eye is decoded as its texels are read
 //! (SRGB8_ALPHA8) and encoded again at the end: filters work on light.
