@@ -1,5 +1,5 @@
-//! Time of the constructions: cells a second row by row, tiles a second looked up, and compact
-//! sets constructed and annealed.
+//! Time of the constructions: cells a second row by row, tiles a second looked up, compact sets
+//! constructed and annealed, and tiles of endless tilings a second.
 
 #![allow(missing_docs, clippy::unwrap_used)]
 
@@ -9,6 +9,7 @@ use tilepack::anneal::compact_corner;
 use tilepack::construct::{Constructed, construct};
 use tilepack::search::Limits;
 use tilepack::tiles::{Colors, Kind, Members, TileId, TileSet};
+use tilepack::tiling::{Coloring, Compact, Halton, Permuted, Sums, Tiling};
 use tilepack::torus::Shape;
 
 fn set(kind: Kind, colors: u64, members: Members) -> TileSet {
@@ -102,5 +103,37 @@ fn compact(c: &mut Criterion) {
     group.finish();
 }
 
-criterion_group!(benches, rows, locate, compact);
+/// Windows of endless tilings, row by row.
+fn tilings(c: &mut Criterion) {
+    let mut group = c.benchmark_group("tilings");
+    group.sample_size(10);
+    let shape = Shape::new(4096, 1024).unwrap();
+    group.throughput(Throughput::Elements(shape.cells() as u64));
+    let compact = |colors: usize| Coloring::Compact(Compact::of(colors, 1).unwrap());
+    let grid = Halton::of_tiles(Kind::Corner, Shape::new(4096, 4096).unwrap()).unwrap();
+    let one_hash = Sums::one_hash(Colors::one(3).unwrap(), 1).unwrap();
+    for (name, kind, colors, coloring) in [
+        ("corner hash C=3", Kind::Corner, 3, Coloring::Hash { seed: 1 }),
+        ("wang hash C=3", Kind::Wang, 3, Coloring::Hash { seed: 1 }),
+        ("wang compact C=3", Kind::Wang, 3, Coloring::Sums(one_hash)),
+        ("corner halton C=6", Kind::Corner, 6, Coloring::Halton(grid)),
+        ("corner compact C=3", Kind::Corner, 3, compact(3)),
+        ("corner compact C=4", Kind::Corner, 4, compact(4)),
+        ("corner compact C=5", Kind::Corner, 5, compact(5)),
+        ("corner long period C=3", Kind::Corner, 3, Coloring::Permuted(Permuted::long(1))),
+    ] {
+        let tiling = Tiling::new(kind, Colors::one(colors).unwrap(), coloring).unwrap();
+        group.bench_function(name, |b| {
+            b.iter(|| {
+                tiling.try_for_each_row(-100, 77, shape, |_, row| {
+                    black_box(row);
+                    Ok::<_, ()>(())
+                })
+            });
+        });
+    }
+    group.finish();
+}
+
+criterion_group!(benches, rows, locate, compact, tilings);
 criterion_main!(benches);

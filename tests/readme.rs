@@ -22,6 +22,7 @@ const PAGES: &[(&str, &str, usize)] = &[
     ("docs/exports.md", include_str!("../docs/exports.md"), 6),
     ("docs/atlas.md", include_str!("../docs/atlas.md"), 11),
     ("docs/formats-out.md", include_str!("../docs/formats-out.md"), 18),
+    ("docs/tilings.md", include_str!("../docs/tilings.md"), 9),
     ("docs/shaders.md", include_str!("../docs/shaders.md"), 5),
     ("docs/search.md", include_str!("../docs/search.md"), 2),
     ("docs/packings.md", include_str!("../docs/packings.md"), 4),
@@ -104,6 +105,8 @@ fn run_page(page: &'static str) -> usize {
     // Pages name the files of this folder as one finds them.
     let data = concat!(env!("CARGO_MANIFEST_DIR"), "/data");
     copy_folder(data.as_ref(), &folder.path().join("data"));
+    let solutions = concat!(env!("CARGO_MANIFEST_DIR"), "/solutions");
+    copy_folder(solutions.as_ref(), &folder.path().join("solutions"));
     let path = std::env::join_paths(
         std::iter::once(binary.parent().unwrap().to_owned())
             .chain(std::env::split_paths(&std::env::var_os("PATH").unwrap())),

@@ -8,6 +8,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use tilepack::store::{Claim, Input, read_cubes, read_solution};
 use tilepack::tiles::{Colors, Kind};
+use tilepack::tiling::Rule;
 use tilepack::torus::CubeKind;
 use tilepack::verify;
 
@@ -72,6 +73,12 @@ const WANTED: &[(&str, Kind, &str, usize)] = &[
     ("wang-compact-6.json", Kind::Wang, "6", 72),
     ("wang-compact-7.json", Kind::Wang, "7", 98),
     ("wang-compact-8.json", Kind::Wang, "8", 128),
+    ("corner-difference-3-9x6.json", Kind::Corner, "3", 54),
+    ("corner-difference-4-16x8.json", Kind::Corner, "4", 128),
+    ("corner-difference-4-8x16.json", Kind::Corner, "4", 128),
+    ("corner-xor-4-8x16.json", Kind::Corner, "4", 128),
+    ("corner-diagonal-3-9x6.json", Kind::Corner, "3", 54),
+    ("corner-diagonal-4-16x8.json", Kind::Corner, "4", 128),
     ("corner-recursive-3-9x9.json", Kind::Corner, "3", 81),
     ("corner-recursive-4-16x16.json", Kind::Corner, "4", 256),
     ("wang-recursive-3-9x9.json", Kind::Wang, "3", 81),
@@ -171,6 +178,23 @@ fn commands_write_the_files_again() {
             written += 1;
         }
     }
-    // One has no command.
-    assert_eq!(written + skipped, WANTED.len() + CUBES.len() - 1);
+    // One covering has no command, and six packings of sets with a direct tiling, found by a SAT solver.
+    assert_eq!(written + skipped, WANTED.len() + CUBES.len() - 7);
+}
+
+/// The packings of sets that are tiled directly are of those very sets.
+#[test]
+fn sets_with_a_direct_tiling_are_packed() {
+    for (name, rule) in [
+        ("corner-difference-3-9x6.json", Rule::Difference),
+        ("corner-difference-4-16x8.json", Rule::Difference),
+        ("corner-difference-4-8x16.json", Rule::Difference),
+        ("corner-xor-4-8x16.json", Rule::Xor),
+        ("corner-diagonal-3-9x6.json", Rule::Diagonal),
+        ("corner-diagonal-4-16x8.json", Rule::Diagonal),
+    ] {
+        let input = Input::open(folder().join(name)).unwrap();
+        let packing = read_solution(&input, &Claim::default()).unwrap().packing;
+        assert_eq!(packing.set, rule.set(packing.set.colors()).unwrap(), "{name}");
+    }
 }

@@ -27,10 +27,6 @@ pub fn run(args: &AtlasArgs) -> anyhow::Result<Exit> {
         args.output.is_some() || args.tables.is_some() || args.html.is_some() || args.check,
         "nothing to do: expected -o OUT.png, --tables DIR, --html OUT.html or --check"
     );
-    ensure!(
-        args.html.is_none() || (args.arrange == ArrangeArg::Packed && args.gutter == 0),
-        "--html shows the packed atlas: it does not go with --arrange and --gutter"
-    );
     for file in [&args.output, &args.html].into_iter().flatten() {
         check_writable(file)?;
     }
@@ -81,8 +77,8 @@ pub fn run(args: &AtlasArgs) -> anyhow::Result<Exit> {
     if let (Some(file), Some(exactness)) = (&args.html, &exactness) {
         let page = viewer::Scene {
             packing: &packing,
+            layout: &layout,
             levels: levels.iter().map(png_bytes).collect::<io::Result<_>>()?,
-            side: layout.side,
             strip: pictures.strip,
             exact_to_lod: exactness.exact_to_lod(),
             light: pictures.images.format().light,

@@ -72,6 +72,7 @@ pub mod source;
 pub mod status;
 pub mod tile;
 pub mod tile_pictures;
+pub mod tile_stats;
 pub mod tiling;
 pub mod verify;
 pub mod walk;

@@ -5,7 +5,7 @@
 //! `CV^2` x `CH^2`), without a seed: a shader computes them, and needs no table. They are only right
 //! for that very packing, so it is compared cell by cell.
 
-use super::{Coloring, Tiling, TilingError};
+use super::{Tiling, TilingError};
 use crate::construct::{corner_even, corner_odd, ring};
 use crate::tiles::{Colors, Kind, Members, TileId};
 use crate::torus::{Cell, Packing, Shape};
@@ -158,10 +158,11 @@ impl Cells {
                 tiling: words(tiling.kind(), tiling.colors()),
             });
         }
-        let missing = match (tiling.coloring(), &self.lookup) {
+        let missing = match (tiling.needs(), &self.lookup) {
+            // A formula is of the complete set.
             (_, Lookup::Formula(_)) => None,
-            (Coloring::Map(map), _) => {
-                map.tiles().into_iter().find(|&tile| self.find(tile).is_none())
+            (Members::Explicit(tiles), _) => {
+                tiles.into_iter().find(|&tile| self.find(tile).is_none())
             }
             (_, Lookup::Table(table)) => {
                 // Tiles are in order, so the first gap is the first that is missing.
@@ -173,7 +174,11 @@ impl Cells {
             }
         };
         match missing {
-            Some(tile) => Err(TilingError::MissingTile { tile: tile.0 }),
+            Some(tile) => Err(TilingError::MissingTile {
+                tile: tile.0,
+                sides: self.kind.describe(tile, self.colors),
+                needs: tiling.needs_words(),
+            }),
             None => Ok(()),
         }
     }

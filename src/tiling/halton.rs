@@ -109,3 +109,43 @@ fn inverse(a: u64, modulus: u64) -> u64 {
     }
     before.rem_euclid(modulus as i128) as u64
 }
+
+/// Rows of colors: what a column adds to a visit is kept.
+#[derive(Debug)]
+pub(super) struct HaltonRows {
+    halton: Halton,
+    colors: u64,
+    /// `2^64 / points`, and a little more: division by multiplication.
+    inverse: u64,
+    columns: Vec<u64>,
+}
+
+impl HaltonRows {
+    pub(super) fn new(halton: Halton, x: i64, step: u32, count: usize, colors: usize) -> Self {
+        let column = |at: usize| {
+            let x = x.wrapping_add((at * step as usize) as i64);
+            let column = x.rem_euclid(halton.p1 as i64) as u64;
+            halton.p2 * (reversed(column, 2, halton.n1) * halton.m1 % halton.p1)
+        };
+        // A grid of one point would need 2^64, and every product is 0 there.
+        let inverse = u64::MAX / halton.points() + u64::from(halton.points() > 1);
+        let columns = (0..count).map(column).collect();
+        Self { halton, colors: colors as u64, inverse, columns }
+    }
+
+    /// The colors of the row `y`.
+    pub(super) fn row(&self, y: i64, colors: &mut [u8]) {
+        let halton = self.halton;
+        let row = y.rem_euclid(halton.p2 as i64) as u64;
+        let row = halton.p1 * (reversed(row, 3, halton.n2) * halton.m2 % halton.p2);
+        let points = halton.points();
+        for (color, column) in colors.iter_mut().zip(&self.columns) {
+            let sum = column + row;
+            let visit = if sum >= points { sum - points } else { sum };
+            // Below 2^56, so the quotient is at most one too large.
+            let product = visit * self.colors;
+            let quotient = ((u128::from(product) * u128::from(self.inverse)) >> 64) as u64;
+            *color = (quotient - u64::from(quotient * points > product)) as u8;
+        }
+    }
+}

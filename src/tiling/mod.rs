@@ -20,22 +20,50 @@
 //! coloring is a variant of [`Coloring`], an arm of [`Tiling::sides`], and a template of
 //! [`crate::atlas::shader`].
 
+mod block4;
 mod cells;
 mod color_map;
+mod compact;
+mod diagonal;
+mod dipole;
+mod draws;
 mod error;
+mod fill;
+mod frame;
 mod halton;
 pub mod hash;
 mod mixed;
+mod permuted;
+mod probabilities;
+mod rows;
+mod rule;
+mod scanline;
+mod stats;
+mod sums;
+mod support;
+mod xor;
 
+pub use block4::{Block4, PATTERNS, Patterns};
 pub use cells::{Cells, Formula};
 pub use color_map::ColorMap;
+pub use compact::Compact;
+pub use diagonal::Diagonal;
 pub use error::TilingError;
+pub use fill::{Square, filled, least_side};
+pub use frame::Frames;
 pub use halton::Halton;
 pub use mixed::{Mixed, mixed};
+pub use permuted::Permuted;
+pub use probabilities::{Column, Probabilities};
+pub use rule::{Rule, alternating};
+pub use scanline::{Laid, scanline};
+pub use stats::{Stats, stats};
+pub use sums::Sums;
+pub use xor::Xor;
 
-use crate::tiles::{Colors, Kind, TileId};
+use crate::tiles::{Colors, Kind, Members, TileId};
 use crate::torus::Shape;
-use hash::{hash3, uni};
+use std::convert::Infallible;
 
 /// What gives corners and edges their colors.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -49,6 +77,14 @@ pub enum Coloring {
     Halton(Halton),
     /// A picture of colors, repeated in both directions.
     Map(ColorMap),
+    /// Corner tiles of a compact set: half as many as colors to the fourth or fewer.
+    Compact(Compact),
+    /// Wang tiles whose edges are sums of random colors on corners.
+    Sums(Sums),
+    /// A hash by tables of permutations.
+    Permuted(Permuted),
+    /// Corner tiles of random colors, with probabilities that differ from place to place.
+    Probabilities(Probabilities),
 }
 
 /// An endless tiling.
@@ -71,15 +107,33 @@ impl Tiling {
         if kind == Kind::Domino {
             return Err(TilingError::Dominoes);
         }
-        if let Coloring::Map(map) = &coloring
-            && (map.kind() != kind || map.colors() != colors)
-        {
-            return Err(TilingError::OtherMap {
-                map: format!("{} tiles over {} colors", map.kind(), map.colors()),
-                asked: format!("{kind} tiles over {colors} colors"),
-            });
+        let corner = |fits: bool| kind == Kind::Corner && fits;
+        let (what, fits) = match &coloring {
+            Coloring::Hash { .. } | Coloring::Halton(_) | Coloring::Permuted(_) => {
+                return Ok(Self { kind, colors, coloring });
+            }
+            Coloring::Map(map) if map.kind() != kind || map.colors() != colors => {
+                return Err(TilingError::OtherMap {
+                    map: format!("{} tiles over {} colors", map.kind(), map.colors()),
+                    asked: format!("{kind} tiles over {colors} colors"),
+                });
+            }
+            Coloring::Map(_) => ("a map", true),
+            Coloring::Compact(compact) => {
+                ("this compact set", corner(compact.has_colors(colors.horizontal())))
+            }
+            Coloring::Sums(sums) => (
+                "sums of colors on corners",
+                kind == Kind::Wang && (sums.two || colors.single().is_some()),
+            ),
+            Coloring::Probabilities(map) => {
+                ("this map of probabilities", corner(map.colors() == colors.horizontal()))
+            }
+        };
+        match fits {
+            true => Ok(Self { kind, colors, coloring }),
+            false => Err(TilingError::Mismatch { what, kind, colors }),
         }
-        Ok(Self { kind, colors, coloring })
     }
 
     /// The kind of its tiles.
@@ -97,23 +151,67 @@ impl Tiling {
         &self.coloring
     }
 
-    /// Whether every tile over the colors can occur.
-    pub fn needs_all_tiles(&self) -> bool {
-        !matches!(self.coloring, Coloring::Map(_))
+    /// Which tiles can occur: all over the colors, or these. A packing has to have them.
+    pub fn needs(&self) -> Members {
+        match &self.coloring {
+            Coloring::Hash { .. } | Coloring::Halton(_) | Coloring::Permuted(_) => {
+                Members::Complete
+            }
+            Coloring::Map(map) => Members::Explicit(map.tiles()),
+            Coloring::Compact(compact) => {
+                Members::Explicit(compact.rule().tiles(self.colors.horizontal()))
+            }
+            Coloring::Sums(sums) if sums.two => Members::Complete,
+            Coloring::Sums(_) => Members::Explicit(alternating(self.colors.horizontal())),
+            Coloring::Probabilities(map) => Members::Explicit(map.tiles()),
+        }
+    }
+
+    /// The same in words, for messages: what a packing must be of.
+    pub fn needs_words(&self) -> String {
+        let of_set = |count: usize, set: &str| {
+            format!("this coloring needs the {count} tiles of {set}; tile --set-out writes them")
+        };
+        match &self.coloring {
+            Coloring::Compact(compact) => {
+                let (rule, colors) = (compact.rule(), self.colors.horizontal());
+                let set = format!("the compact {} set ({})", rule.name(), rule.words());
+                of_set(rule.tiles(colors).len(), &set)
+            }
+            Coloring::Sums(sums) if !sums.two => {
+                let count = self.colors.horizontal().pow(3);
+                of_set(count, "the compact Wang set with N - E + S - W = 0 mod C")
+            }
+            Coloring::Probabilities(map) => of_set(map.tiles().len(), "its map of probabilities"),
+            Coloring::Map(_) => "this coloring needs the tiles of its map".to_owned(),
+            _ => "this coloring needs the complete set; for other sets, take --coloring compact, \
+                  scanline or map:FILE, with the tiles that it needs"
+                .to_owned(),
+        }
+    }
+
+    /// Bits of freedom of a tile, in a large window: 0 when only few things can be chosen. Of blocks a
+    /// lower bound.
+    pub fn entropy(&self) -> f64 {
+        let (h, v) = (self.colors.horizontal() as f64, self.colors.vertical() as f64);
+        match (&self.coloring, self.kind) {
+            (Coloring::Hash { .. }, Kind::Corner) => h.log2(),
+            (Coloring::Hash { .. }, _) => h.log2() + v.log2(),
+            (Coloring::Sums(sums), _) if sums.two => h.log2() + v.log2(),
+            (Coloring::Sums(_), _) => h.log2(),
+            (Coloring::Compact(compact), _) => compact.entropy(),
+            (Coloring::Probabilities(map), _) => map.entropy(),
+            (Coloring::Halton(_) | Coloring::Map(_) | Coloring::Permuted(_), _) => 0.0,
+        }
     }
 
     /// The colors of the tile at a place, in the order of [`Kind::sides`].
     pub fn sides(&self, x: i64, y: i64) -> [u8; 4] {
         match &self.coloring {
-            Coloring::Hash { seed } => {
-                // The lower 32 bits: what a shader counts in.
-                let hash = |x: i64, y: i64| hash3(*seed, x as u32, y as u32);
-                self.around(x, y, |x, y, colors| uni(hash(x, y), colors as u32) as u8)
-            }
-            Coloring::Halton(halton) => {
-                self.around(x, y, |x, y, colors| halton.color(x, y, colors))
-            }
             Coloring::Map(map) => map.sides(x, y),
+            Coloring::Compact(Compact::Frames(frames)) => frames.sides(x, y),
+            Coloring::Sums(sums) => sums.sides(x, y, self.colors),
+            _ => self.around(x, y, |x, y, colors| self.point(x, y, colors)),
         }
     }
 
@@ -127,11 +225,14 @@ impl Tiling {
 
     /// The tiles of a window, row by row from the north; `x` and `y` are of its south-west tile.
     pub fn window(&self, x: i64, y: i64, shape: Shape) -> Vec<TileId> {
-        let rows = (0..shape.height() as i64).rev();
-        rows.flat_map(|row| {
-            (0..shape.width() as i64).map(move |column| self.tile(x + column, y + row))
-        })
-        .collect()
+        let mut window = Vec::with_capacity(shape.cells());
+        let all: Result<(), Infallible> = self.try_for_each_row(x, y, shape, |_, row| {
+            window.extend_from_slice(row);
+            Ok(())
+        });
+        match all {
+            Ok(()) => window,
+        }
     }
 
     /// The colors around a tile, when each is known from its point and the number of colors.

@@ -4,7 +4,8 @@ use crate::{bare, corner_2, input, written};
 use serde_json::{Value, json};
 use tilepack::store::{
     Claim, Layout, PartResult, SearchPlan, holds_cubes, read_border, read_cubes, read_pins,
-    read_solution, read_tile_set, solutions, write_cubes, write_grid, write_solution,
+    read_probabilities, read_solution, read_tile_set, solutions, write_cubes, write_grid,
+    write_solution,
 };
 use tilepack::tiles::Kind;
 use tilepack::torus::{Shape, Topology};
@@ -52,6 +53,10 @@ fn every_example_in_the_documentation_is_read() {
                 let border = read_border(&input, Topology::Rectangle, shape).unwrap();
                 assert_eq!(border.side(3), [Some(0), None]);
             }
+            "text probabilities" => {
+                let grid = read_probabilities(&input).unwrap();
+                assert_eq!((grid.shape.to_string(), grid.colors), ("3x2".to_owned(), 2));
+            }
             "json cubes" => {
                 assert!(holds_cubes(&input));
                 let cubes = read_cubes(&input).unwrap().packing;
@@ -83,7 +88,7 @@ fn every_example_in_the_documentation_is_read() {
         }
         seen.push(language);
     }
-    assert_eq!(seen.len(), 21);
+    assert_eq!(seen.len(), 22);
 }
 
 #[test]

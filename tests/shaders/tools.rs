@@ -43,7 +43,7 @@ pub(crate) fn browse(chromium: &Path, page: &Path) -> String {
         .args(["--headless", "--no-sandbox", "--disable-gpu", "--enable-unsafe-swiftshader"])
         .args(["--disable-dev-shm-usage", "--disable-extensions", "--no-first-run"])
         // Console to standard error; with a port, the browser stays until it is ended.
-        .args(["--enable-logging=stderr", "--remote-debugging-port=0", "--window-size=800,600"])
+        .args(["--enable-logging=stderr", "--remote-debugging-port=0", "--window-size=560,420"])
         .arg(format!("--user-data-dir={}", profile.path().display()))
         .arg(format!("file://{}", page.display()));
     let mut child = command.stdout(Stdio::null()).stderr(Stdio::piped()).spawn().unwrap();

@@ -7,7 +7,7 @@ use naga::valid::{Capabilities, ValidationFlags, Validator};
 use std::fs;
 use std::path::Path;
 use std::process::Command;
-use tilepack::atlas::shader::{Language, Shader};
+use tilepack::atlas::shader::{Language, MapTexture, Shader};
 use tilepack::tiles::Kind;
 use tilepack::tiling::Coloring;
 
@@ -16,7 +16,7 @@ fn whole(case: &Case, language: Language) -> String {
     let text = Shader::new(language, &case.tiling, &case.cells, "my").unwrap().text();
     let call = text.lines().find_map(|line| line.strip_prefix("// color = ")).unwrap();
     assert!(call.starts_with("my_texture(position, "), "{call}");
-    let wang = case.tiling.kind() == Kind::Wang;
+    let two = MapTexture::of(&case.tiling).is_some_and(|map| map.channels == 2);
     match language {
         Language::Glsl330 | Language::GlslEs300 => {
             let version = if language == Language::Glsl330 { "330 core" } else { "300 es" };
@@ -27,7 +27,7 @@ fn whole(case: &Case, language: Language) -> String {
             )
         }
         Language::Hlsl => {
-            let texel = if wang { "uint2" } else { "uint" };
+            let texel = if two { "uint2" } else { "uint" };
             format!(
                 "{text}\nTexture2D<float4> atlas : register(t0);\n\
                  Texture2D<uint> table : register(t1);\nTexture2D<{texel}> map : register(t2);\n\
@@ -111,6 +111,13 @@ fn what_no_shader_can_do_is_refused() {
         let message = refused.unwrap_err().to_string();
         assert!(message.starts_with(&format!("name '{name}': expected")), "{message}");
     }
+    // Whole blocks at every pixel.
+    let colors = tilepack::tiles::Colors::one(5).unwrap();
+    let compact = tilepack::tiling::Compact::of(5, 1).unwrap();
+    let blocks = Case::of(Kind::Corner, "5", "blocks", Coloring::Compact(compact));
+    assert_eq!(blocks.tiling.colors(), colors);
+    let refused = Shader::new(Language::GlslEs300, &blocks.tiling, &blocks.cells, "my");
+    assert!(refused.unwrap_err().to_string().contains("16x16 tiles, too much work"));
     // More points than 32 bits hold.
     let grid = tilepack::torus::Shape::new(30000, 30000).unwrap();
     let halton = tilepack::tiling::Halton::of_tiles(Kind::Corner, grid).unwrap();

@@ -6,17 +6,20 @@
 use crate::{Case, tools};
 use serde_json::{Value, json};
 use std::fs;
-use tilepack::atlas::shader::{CellTable, Language, Shader};
-use tilepack::tiles::Kind;
-use tilepack::tiling::Coloring;
+use tilepack::atlas::shader::{CellTable, Language, MapTexture, Shader};
 use tilepack::torus::Shape;
 
 /// Tiles of a side of a window.
 const SIDE: i64 = 24;
 
 /// Their south-west tiles. Wang tiles count edges twice as far as tiles.
-const ORIGINS: [(i64, i64); 5] =
-    [(-12, -12), (1_000_003, -2_000_029), (-(1 << 30), 5), ((1 << 30) - SIDE, 77), (-345, 1 << 29)];
+const ORIGINS: [(i64, i64); 5] = [
+    (-12, -12),
+    (1_000_003, -2_000_029),
+    (-(1 << 30), 5),
+    ((1 << 30) - SIDE - 1, 77),
+    (-345, 1 << 29),
+];
 
 const PAGE: &str = include_str!("bits.html");
 
@@ -24,17 +27,16 @@ const PAGE: &str = include_str!("bits.html");
 fn job(case: &Case) -> Value {
     let shader = Shader::new(Language::GlslEs300, &case.tiling, &case.cells, "my").unwrap();
     let mut arguments = String::new();
-    let map = match case.tiling.coloring() {
-        Coloring::Map(map) => {
+    let map = match MapTexture::of(&case.tiling) {
+        Some(map) => {
             arguments += ", map";
-            let per_cell = if map.kind() == Kind::Wang { 2 } else { 1 };
-            // Two numbers a texel, of which corners leave the second at 0.
-            let texels = map.labels().chunks(per_cell);
-            let texels: Vec<u8> =
+            // Two numbers a texel, of which the second may be of no use.
+            let texels = map.data.chunks(map.channels);
+            let texels: Vec<u32> =
                 texels.flat_map(|t| [t[0], t.get(1).copied().unwrap_or(0)]).collect();
-            json!({ "width": map.shape().width(), "height": map.shape().height(), "data": texels })
+            json!({ "width": map.width, "height": map.height, "data": texels })
         }
-        _ => Value::Null,
+        None => Value::Null,
     };
     let sides = format!("my_sides(at.x, at.y{arguments})");
     let table = match case.cells.as_formula() {

@@ -87,7 +87,7 @@ fn tilings_that_need_other_tiles_are_refused() {
     let one = Packing::new(set, Shape::new(1, 1).unwrap(), false, vec![tile]);
     let cells = Cells::table(&one);
     let missing = cells.check(&hashed(Kind::Wang, "2", 1));
-    assert_eq!(missing, Err(TilingError::MissingTile { tile: 1 }));
+    assert!(matches!(missing, Err(TilingError::MissingTile { tile: 1, .. })));
     let other = cells.check(&hashed(Kind::Wang, "3", 1));
     assert!(matches!(other, Err(TilingError::OtherPacking { .. })));
     // A map of its own tile is enough.

@@ -4,8 +4,12 @@
 #![allow(clippy::unwrap_used, clippy::panic)]
 
 mod cells;
+mod compact;
 mod halton;
 mod mixed;
+mod rows;
+mod scanline;
+mod vectors;
 
 use tilepack::tiles::{Colors, Kind, Members, TileSet};
 use tilepack::tiling::hash::{hash3, mix, uni};

@@ -7,16 +7,18 @@
 //! show every border). A text has functions and constants only, to be pasted into any shader;
 //! textures are handed over as arguments.
 
+mod coloring;
 mod language;
+mod map;
 mod table;
 
 pub use language::Language;
+pub use map::MapTexture;
 pub use table::CellTable;
 
 use super::AtlasError;
 use crate::construct::corner_even::WINDOWS;
-use crate::tiles::Kind;
-use crate::tiling::{Cells, Coloring, Formula, Halton, Tiling, hash};
+use crate::tiling::{Cells, Formula, Tiling, hash};
 
 /// What is asked for.
 #[derive(Debug, Clone, Copy)]
@@ -49,17 +51,7 @@ impl<'a> Shader<'a> {
                 "name '{name}': expected a letter, then letters, digits and single underscores"
             )));
         }
-        if let Coloring::Halton(halton) = tiling.coloring() {
-            fits(halton)?;
-        }
-        if let Coloring::Map(map) = tiling.coloring()
-            && map.shape().width().max(map.shape().height()) > 16384
-        {
-            return Err(AtlasError::Asked(format!(
-                "a color map of {} cells: expected at most 16384 in a row or column of a texture",
-                map.shape()
-            )));
-        }
+        coloring::check(tiling)?;
         if cells.as_formula().is_none() {
             CellTable::check(cells.kind().tiles(cells.colors()))?;
         }
@@ -88,20 +80,23 @@ impl<'a> Shader<'a> {
         self.filled_in(&text)
     }
 
+    /// [`Shader::functions`] with the seed left open: the keys of its hashes are uniforms, here with
+    /// their names and the seeds that they stand for. (GLSL.)
+    pub(in crate::atlas) fn open_functions(&self) -> (String, Vec<(String, u32)>) {
+        let mut text = self.functions();
+        let mut keys = Vec::new();
+        for (name, seed) in coloring::seeds(self.tiling) {
+            let name = format!("{}_{name}", self.name);
+            let constant = self.language.constant(&name, hash::key(seed).into());
+            text = text.replace(&constant, &format!("uniform uint {name};\n"));
+            keys.push((name, seed));
+        }
+        (text, keys)
+    }
+
     /// The parts of the template, in an order that lets every function use those before it.
     fn templates(&self) -> Vec<&'static str> {
-        let corner = self.tiling.kind() == Kind::Corner;
-        let mut parts = match self.tiling.coloring() {
-            Coloring::Hash { .. } => vec![include_str!("template/hash.wgsl")],
-            Coloring::Halton(_) => vec![include_str!("template/halton.wgsl")],
-            Coloring::Map(_) => vec![include_str!("template/map.wgsl")],
-        };
-        parts.push(match (self.tiling.coloring(), corner) {
-            (Coloring::Map(_), true) => include_str!("template/map_corner.wgsl"),
-            (Coloring::Map(_), false) => include_str!("template/map_wang.wgsl"),
-            (_, true) => include_str!("template/corner.wgsl"),
-            (_, false) => include_str!("template/wang.wgsl"),
-        });
+        let mut parts = coloring::templates(self.tiling);
         parts.push(include_str!("template/number.wgsl"));
         match self.cells.as_formula() {
             None => parts.push(include_str!("template/table.wgsl")),
@@ -129,21 +124,7 @@ impl<'a> Shader<'a> {
             ("WIDTH", shape.width() as u64),
             ("HEIGHT", shape.height() as u64),
         ];
-        match self.tiling.coloring() {
-            Coloring::Hash { seed } => constants.push(("KEY", hash::key(*seed).into())),
-            Coloring::Halton(halton) => constants.extend([
-                ("N1", halton.n1.into()),
-                ("N2", halton.n2.into()),
-                ("P1", halton.p1),
-                ("P2", halton.p2),
-                ("M1", halton.m1),
-                ("M2", halton.m2),
-            ]),
-            Coloring::Map(map) => constants.extend([
-                ("MAP_W", map.shape().width() as u64),
-                ("MAP_H", map.shape().height() as u64),
-            ]),
-        }
+        constants.extend(coloring::constants(self.tiling));
         match self.cells.as_formula() {
             None => {
                 let (width, _) = CellTable::size(self.tiling.kind().tiles(colors));
@@ -163,17 +144,13 @@ impl<'a> Shader<'a> {
 
     /// Puts in what differs between languages and tilings in more than words.
     fn filled_in(&self, text: &str) -> String {
-        let map = matches!(self.tiling.coloring(), Coloring::Map(_));
+        let map = self.map_channels();
         let table = self.cells.as_formula().is_none();
         let language = self.language;
         let whole = |name: &str| match language {
             Language::Wgsl => format!("{name}: texture_2d<u32>"),
             Language::Hlsl => {
-                let texel = if name == "map" && self.tiling.kind() == Kind::Wang {
-                    "uint2"
-                } else {
-                    "uint"
-                };
+                let texel = if name == "map" && map == Some(2) { "uint2" } else { "uint" };
                 format!("Texture2D<{texel}> {name}")
             }
             _ => format!("usampler2D {name}"),
@@ -197,7 +174,7 @@ impl<'a> Shader<'a> {
             _ => ("sampler2D atlas", "atlas", "textureGrad(atlas, "),
         };
         let (mut parameters, mut arguments) = (Vec::new(), Vec::new());
-        for (there, name) in [(map, "map"), (table, "table")] {
+        for (there, name) in [(map.is_some(), "map"), (table, "table")] {
             if there {
                 parameters.push(whole(name));
                 arguments.push(name.to_owned());
@@ -207,14 +184,21 @@ impl<'a> Shader<'a> {
         arguments.push(argument.to_owned());
         let when = |there: bool, text: &str| if there { text.to_owned() } else { String::new() };
         // A corner has one color, an edge one of two.
-        let map_texel = match (self.tiling.kind(), language) {
-            (Kind::Wang, _) => fetch("map", "xy"),
+        let map_texel = match (map, language) {
+            (Some(2), _) => fetch("map", "xy"),
             (_, Language::Wgsl) => "vec2u(textureLoad(map, CELL, 0).x, 0u)".to_owned(),
             (_, Language::Hlsl) => "uint2(map.Load(int3(CELL, 0)).x, 0u)".to_owned(),
             _ => "uvec2(texelFetch(map, CELL, 0).x, 0u)".to_owned(),
         };
-        let mut text = text.to_owned();
-        for (word, by) in [("FETCH_MAP(", map_texel), ("FETCH_TABLE(", fetch("table", "x"))] {
+        let mut text = match map {
+            Some(_) => text.to_owned(),
+            None => text.replace(", MAP_PARAMETER", ""),
+        };
+        for (word, by) in [
+            ("FETCH_MAP_XY(", map_texel),
+            ("FETCH_MAP_X(", fetch("map", "x")),
+            ("FETCH_TABLE(", fetch("table", "x")),
+        ] {
             text = with_argument(&text, word, &by);
         }
         for (word, by) in [
@@ -222,7 +206,7 @@ impl<'a> Shader<'a> {
             ("SAMPLE_ARGUMENTS", arguments.join(", ")),
             ("MAP_PARAMETER", whole("map")),
             ("TABLE_PARAMETER", whole("table")),
-            ("MAP_ARGUMENT", when(map, ", map")),
+            ("MAP_ARGUMENT", when(map.is_some(), ", map")),
             ("TABLE_ARGUMENT", when(table, ", table")),
             ("SAMPLE_GRAD(", sample.to_owned()),
             ("NAME_", format!("{}_", self.name)),
@@ -241,15 +225,7 @@ impl<'a> Shader<'a> {
                 "{}: an endless tiling of {kind} tiles over {colors} colors,",
                 language.title()
             ),
-            match self.tiling.coloring() {
-                Coloring::Hash { seed } => format!("colors by hash with seed {seed},"),
-                Coloring::Halton(halton) => {
-                    format!("Halton colors on {} x {} points, repeated,", halton.p1, halton.p2)
-                }
-                Coloring::Map(map) => {
-                    format!("the colors of a map of {} cells, repeated,", map.shape())
-                }
-            },
+            coloring::words(self.tiling),
             format!("drawn from the atlas of a packing of {shape} tiles. Written by tilepack."),
             String::new(),
             format!("color = {name}_texture(position{})", self.calls()),
@@ -260,12 +236,8 @@ impl<'a> Shader<'a> {
                 .into(),
             "    filters linear, all coordinates wrap around (REPEAT).".into(),
         ];
-        if let Coloring::Map(map) = self.tiling.coloring() {
-            let texels = match kind {
-                Kind::Corner => "one unsigned number: the color of the north-west corner of a cell",
-                _ => "two unsigned numbers: the colors of the north and the west edge of a cell",
-            };
-            lines.push(format!("map: {} texels of {texels}.", map.shape()));
+        if let Some(map) = MapTexture::of(self.tiling) {
+            lines.push(format!("map: {}x{} texels of {}.", map.width, map.height, map.words));
         }
         if self.cells.as_formula().is_none() {
             let (width, height) = CellTable::size(kind.tiles(colors));
@@ -276,14 +248,19 @@ impl<'a> Shader<'a> {
             ));
             lines.push("    of tile t in the atlas, rows from the north.".to_owned());
         }
-        lines.push("Whole numbers are exact for coordinates from -2^30 to 2^30.".to_owned());
+        lines.push("Whole numbers are exact for tiles from -2^30 to 2^30 - 2.".to_owned());
         lines.iter().map(|line| format!("// {line}").trim_end().to_owned() + "\n").collect()
+    }
+
+    /// Numbers of a texel of the map, if the coloring has one.
+    fn map_channels(&self) -> Option<usize> {
+        coloring::map_channels(self.tiling)
     }
 
     /// The textures of a call.
     fn calls(&self) -> String {
         let mut text = String::new();
-        if matches!(self.tiling.coloring(), Coloring::Map(_)) {
+        if self.map_channels().is_some() {
             text.push_str(", map");
         }
         if self.cells.as_formula().is_none() {
@@ -312,17 +289,4 @@ fn with_argument(text: &str, word: &str, by: &str) -> String {
     let (argument, after) = rest.split_at(end.unwrap_or(rest.len()));
     let after = after.strip_prefix(')').unwrap_or(after);
     format!("{before}{}{after}", by.replace("CELL", argument))
-}
-
-/// A shader has 32 bits.
-fn fits(halton: &Halton) -> Result<(), AtlasError> {
-    let (points, rows) = (halton.points(), halton.p2);
-    if points > 1 << 30 || rows > u64::from(u16::MAX) {
-        return Err(AtlasError::Asked(format!(
-            "halton: {} x {rows} points: a shader counts to 2^30 points and 65535 rows; expected a \
-             smaller grid, which repeats",
-            halton.p1
-        )));
-    }
-    Ok(())
 }

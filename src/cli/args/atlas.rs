@@ -22,7 +22,7 @@ pub struct AtlasArgs {
     /// Write tables from tiles to cells and back to this folder: JSON, CSV, C, PNG
     #[arg(long, value_name = "DIR", help_heading = "Result")]
     pub tables: Option<PathBuf>,
-    /// Write a page that shows the endless tiling, and what filtering does to it
+    /// Write a page that draws endless tilings, shows repeats, and what filtering does
     #[arg(long, value_name = "OUT.html", help_heading = "Result")]
     pub html: Option<PathBuf>,
     /// Find out through which level filtering the atlas is filtering the tiling, exactly

@@ -54,8 +54,8 @@ most 254 of both together. Pieces of a puzzle have room for so many colors as th
 told apart.
 
 Shaders (glsl-330, glsl-es-300, hlsl, wgsl) are functions to be pasted; how to call them stands at \
-the top. --coloring hash and halton:WxH need a packing of a complete set, map:FILE any set that has \
-the tiles of the file. --lookup formula needs no table, but the packing that find --method construct \
+the top. --coloring hash and halton:WxH need a packing of a complete set, compact and others one of \
+their tiles (see tile), map:FILE any set that has the tiles of the file. --lookup formula needs no table, but the packing that find --method construct \
 gives without a seed.
 
 Examples:
@@ -103,16 +103,39 @@ corners), doubles (left out: id, and first with these colors), unset (left out).
 /// Examples for `tile`.
 pub const TILE: &str = "\
 An endless tiling gives every place a tile without those before it; shaders do the same (see \
-export --to). X counts to the east, Y to the north, both from -2^62 to 2^62. With --coloring hash \
-or halton every tile over the colors can occur, so --packing must be one of a complete set; with \
-map:FILE only those of the file, whose south-west tile is the one at 0 0. Windows are written as \
+export --to). X counts to the east, Y to the north, both from -2^62 to 2^62. Windows are written as \
 pictures are read, from the north.
+
+--coloring, and the tiles that it needs in --packing:
+  hash                random corners or edges: all tiles over the colors
+  two-hash            Wang tiles, edges by two hashes of their ends: all tiles
+  halton:WxH          corners that keep equal colors apart, then repeated: all tiles
+  table, long-period  hashes by permutations, of period 24 and 5930659848: all tiles
+  compact             corner tiles: the 2 C^3 tiles of the xor set where C is 2, 4, 8, ...,
+                      else of the difference set; Wang tiles: C^3 tiles, whose edges are
+                      sums of one hash
+  diagonal            corner tiles: the 2 C^3 tiles of the diagonal set; simple, but streaky
+  probabilities:FILE  corner tiles: those that the map in the file admits, a text or a PNG
+                      (docs/formats.md); with probabilities:WxH:FILE cells of W x H points
+  map:FILE            the tiles of the file, whose south-west tile is the one at 0 0
+  scanline            tile after tile, corner tiles from the south: the tiles of --packing or
+                      --set; what is laid depends on where the window begins
+
+--set-out writes the tiles needed, so that find --set packs them. --stats counts a window: misfits, \
+tiles seen, chi2 of their numbers per degree of freedom, equal neighbors, dependence of points.
 
 Examples:
   tilepack tile --kind corner --colors 3 --seed 7 -5 12
   tilepack tile --kind wang --colors 2,3 --coloring halton:256x256 0 0 --size 16x4
+  tilepack tile --kind wang --colors 3 --coloring compact 0 0 --set-out s.json
+  tilepack find --set s.json -o q.json; tilepack tile 5 2 --packing q.json --coloring compact
+  tilepack tile --kind corner --colors 4 --coloring compact 0 0 --size 256x256 --stats
+  tilepack tile --kind corner --colors 3 --coloring scanline 0 0 --size 9x9
   tilepack find --kind corner --colors 3 -o p.json; tilepack tile 5 2 --packing p.json --json
   tilepack tile --packing p.json --coloring map:p.json 0 0 --size 9x9
 
 JSON fields (--json): kind, colors, coloring, seed, tiles, a list of objects with x, y, tile, sides, \
-and with --packing the row and column of its cell.";
+and with --packing the row and column of its cell. With --stats instead of tiles: width, height, \
+misfits, seen, set (its tiles), chi2_per_df (null where tiles are not equally likely), \
+equal_neighbors (null for Wang tiles), information (bits) and its lag, row_agreement, \
+column_agreement, entropy (bits a tile).";

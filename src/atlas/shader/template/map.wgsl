@@ -9,5 +9,5 @@ fn NAME_map(x: i32, y: i32, MAP_PARAMETER) -> vec2u {
     if (y < 0) {
         up = NAME_MAP_H - 1u - u32(-1 - y) % NAME_MAP_H;
     }
-    return FETCH_MAP(vec2i(i32(column), i32(NAME_MAP_H - 1u - up)));
+    return FETCH_MAP_XY(vec2i(i32(column), i32(NAME_MAP_H - 1u - up)));
 }

@@ -31,41 +31,17 @@ function makeProgram(gl, fragment) {
 }
 
 // Textures by their units.
-const UNITS = { table: 0, map: 1, ranks: 2, atlas: 3, probe: 4 };
+const UNITS = { table: 0, map: 1, ranks: 2, atlas: 3, window: 4 };
 
-function numbersTexture(gl, name, { internal, format, type }, width, height, data) {
-    gl.activeTexture(gl.TEXTURE0 + UNITS[name]);
-    gl.bindTexture(gl.TEXTURE_2D, gl.createTexture());
+function numbersTexture(gl, unit, { internal, format, type }, width, height, data) {
+    const texture = gl.createTexture();
+    gl.activeTexture(gl.TEXTURE0 + unit);
+    gl.bindTexture(gl.TEXTURE_2D, texture);
     gl.pixelStorei(gl.UNPACK_ALIGNMENT, 1);
     gl.texImage2D(gl.TEXTURE_2D, 0, internal, width, height, 0, format, type, data);
     gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MIN_FILTER, gl.NEAREST);
     gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MAG_FILTER, gl.NEAREST);
-}
-
-// The cell of every tile number, the map of colors, and the order of tiles by their numbers.
-function tilingTextures(gl, scene) {
-    const one = { internal: gl.R32UI, format: gl.RED_INTEGER, type: gl.UNSIGNED_INT };
-    const two = { internal: gl.RG32UI, format: gl.RG_INTEGER, type: gl.UNSIGNED_INT };
-    const { width, height, tiles } = scene;
-    const [tableWidth, tableHeight] = scene.table;
-    const table = new Uint32Array(tableWidth * tableHeight);
-    for (let cell = tiles.length - 1; cell >= 0; cell--) table[tiles[cell]] = cell;
-    numbersTexture(gl, "table", one, tableWidth, tableHeight, table);
-    const order = tiles.map((tile, cell) => cell).sort((a, b) => tiles[a] - tiles[b] || a - b);
-    const ranks = new Uint32Array(2 * tiles.length);
-    order.forEach((cell, rank) => {
-        ranks[2 * cell] = rank;
-        ranks[2 * rank + 1] = cell;
-    });
-    numbersTexture(gl, "ranks", two, width, height, ranks);
-    const map = scene.map || { width: 1, height: 1, labels: [0, 0] };
-    const per = map.labels.length / (map.width * map.height);
-    const labels = new Uint32Array(2 * map.width * map.height);
-    map.labels.forEach((label, at) => {
-        labels[per === 2 ? at : 2 * at] = label;
-    });
-    numbersTexture(gl, "map", two, map.width, map.height, labels);
-    return table;
+    return texture;
 }
 
 function atlasPicture(level) {
@@ -82,7 +58,8 @@ function atlasPicture(level) {
 
 // All mip levels as they are; nothing is resampled. The number of levels that a texture can have.
 async function atlasTexture(gl, scene) {
-    const width = scene.width * scene.side, height = scene.height * scene.side;
+    const block = scene.side + 2 * scene.gutter;
+    const width = scene.width * block, height = scene.height * block;
     const largest = gl.getParameter(gl.MAX_TEXTURE_SIZE);
     if (Math.max(width, height) > largest) {
         throw new Error(`The atlas has ${width} x ${height} texels, but this graphics card takes ` +

@@ -6,8 +6,10 @@ function devicePixels(event) {
 }
 
 // One pointer moves, two zoom as well.
-function listenToPointers(canvas, view, changed) {
+function listenToPointers(canvas, view, controls, changed) {
     const down = new Map();
+    // How far a click has strayed.
+    let strayed = 0;
     const middle = () => {
         const all = [...down.values()];
         const sum = all.reduce(([x, y], [px, py]) => [x + px, y + py], [0, 0]);
@@ -18,13 +20,13 @@ function listenToPointers(canvas, view, changed) {
         return b ? Math.hypot(a[0] - b[0], a[1] - b[1]) : 0;
     };
     const look = event => {
-        const [x, y] = view.positionAt(...devicePixels(event));
-        view.hover = [Math.floor(x), Math.floor(y)];
+        view.pointer = devicePixels(event);
     };
     canvas.addEventListener("pointerdown", event => {
         canvas.focus({ preventScroll: true });
         // A pointer made up by a script cannot be captured.
         try { canvas.setPointerCapture(event.pointerId); } catch { /* then it stays inside */ }
+        strayed = 0;
         down.set(event.pointerId, devicePixels(event));
         canvas.classList.add("held");
         look(event);
@@ -36,6 +38,7 @@ function listenToPointers(canvas, view, changed) {
             down.set(event.pointerId, devicePixels(event));
             const [nowX, nowY] = middle(), nowWide = spread();
             view.pan(nowX - x, nowY - y);
+            strayed += Math.abs(nowX - x) + Math.abs(nowY - y);
             if (wide > 0 && nowWide > 0) view.zoomAt(nowWide / wide, nowX, nowY);
         }
         look(event);
@@ -45,10 +48,13 @@ function listenToPointers(canvas, view, changed) {
         down.delete(event.pointerId);
         if (down.size === 0) canvas.classList.remove("held");
     };
-    canvas.addEventListener("pointerup", up);
+    canvas.addEventListener("pointerup", event => {
+        if (event.pointerType === "mouse" && event.button === 0 && strayed < 4) controls.hold();
+        up(event);
+    });
     canvas.addEventListener("pointercancel", up);
     canvas.addEventListener("pointerleave", event => {
-        if (down.size === 0 && event.pointerType === "mouse") view.hover = null;
+        if (down.size === 0 && event.pointerType === "mouse") view.pointer = null;
         changed();
     });
     canvas.addEventListener("wheel", event => {
@@ -74,19 +80,23 @@ function listenToKeys(view, controls, changed) {
         "+": zoom(Math.SQRT2), "=": zoom(Math.SQRT2), "-": zoom(Math.SQRT1_2), "_": zoom(Math.SQRT1_2),
         "0": () => {
             view.moveTo(0, 0);
-            view.zoom = view.scene.side;
+            view.zoomTo(view.scene.side);
         },
         "1": () => controls.view(0), "2": () => controls.view(1),
         "3": () => controls.view(2), "4": () => controls.view(3),
         "[": () => controls.step("bias", -1), "]": () => controls.step("bias", 1),
         ",": () => controls.step("probes", -1), ".": () => controls.step("probes", 1),
         g: () => controls.step("gain", 1), G: () => controls.step("gain", -1),
-        b: () => controls.flip("borders"), h: () => controls.flip("hardware"),
+        t: () => controls.tiling(view.tilings.which + 1), T: () => controls.tiling(view.tilings.which - 1),
+        n: () => controls.another(), c: () => controls.hold(),
+        b: () => controls.flip("borders"), r: () => controls.flip("repeats"), h: () => controls.flip("hardware"),
         m: () => controls.fold(), "?": () => controls.help(),
     };
     window.addEventListener("keydown", event => {
-        // Sliders and buttons have keys of their own.
-        const own = event.target instanceof HTMLInputElement && event.key.startsWith("Arrow");
+        // Sliders have keys of their own, and lists and numbers take all.
+        const target = event.target instanceof Element ? event.target : document.body;
+        const own = target.matches("select, input[type=number]") ||
+            target.matches("input") && event.key.startsWith("Arrow");
         const act = keys[event.key];
         if (!act || own || event.ctrlKey || event.metaKey || event.altKey) return;
         if (document.getElementById("help").open) return;

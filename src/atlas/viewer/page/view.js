@@ -5,22 +5,8 @@ const VIEWS = ["packed", "row-major", "assembled", "difference"];
 const FARTHEST = 2 ** 30 - 4096;
 
 class View {
-    constructor(canvas, gl, scene, levels, texts) {
-        Object.assign(this, { canvas, gl, scene, levels });
-        this.table = tilingTextures(gl, scene);
-        const head = texts.tiling + "\n#define TP_MAP" + (scene.map ? " , map" : "") + "\n";
-        this.drawing = makeProgram(gl, head + texts.filter);
-        this.looking = makeProgram(gl, head + `uniform usampler2D map; uniform ivec2 tile;
-            out uvec4 sides;
-            void main() { sides = tp_sides(tile.x, tile.y TP_MAP); }`);
-        gl.activeTexture(gl.TEXTURE0 + UNITS.probe);
-        const probe = gl.createTexture();
-        gl.bindTexture(gl.TEXTURE_2D, probe);
-        gl.texStorage2D(gl.TEXTURE_2D, 1, gl.RGBA32UI, 1, 1);
-        this.framebuffer = gl.createFramebuffer();
-        gl.bindFramebuffer(gl.FRAMEBUFFER, this.framebuffer);
-        gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0, gl.TEXTURE_2D, probe, 0);
-        gl.bindFramebuffer(gl.FRAMEBUFFER, null);
+    constructor(canvas, gl, scene, levels, tilings) {
+        Object.assign(this, { canvas, gl, scene, levels, tilings });
         this.x = this.y = 0;
         // Pixels of a tile.
         this.zoom = scene.side;
@@ -29,8 +15,11 @@ class View {
         this.probes = 1;
         this.gain = 1;
         this.borders = false;
+        this.repeats = false;
         this.hardware = false;
-        this.hover = null;
+        // The pixel under the pointer, from the north-west; the tile that is held, by its number.
+        this.pointer = null;
+        this.held = null;
     }
 
     get texelsPerPixel() {
@@ -58,11 +47,15 @@ class View {
         this.y = inReach(y);
     }
 
+    zoomTo(zoom) {
+        this.zoom = Math.min(Math.max(zoom, 2), 64 * this.scene.side);
+    }
+
     // What is at this pixel, from the north-west, stays there.
     zoomAt(factor, px, py) {
         const [x, y] = this.positionAt(px, py);
         const before = this.zoom;
-        this.zoom = Math.min(Math.max(this.zoom * factor, 2), 64 * this.scene.side);
+        this.zoomTo(this.zoom * factor);
         const kept = before / this.zoom;
         this.moveTo(x + (this.x - x) * kept, y + (this.y - y) * kept);
     }
@@ -76,35 +69,54 @@ class View {
 
     // The tile at a place: its number, colors and cell, from the functions that draw it.
     tileAt(x, y) {
-        const gl = this.gl, { program, places } = this.looking;
-        gl.bindFramebuffer(gl.FRAMEBUFFER, this.framebuffer);
-        gl.viewport(0, 0, 1, 1);
-        gl.useProgram(program);
-        if (places.map) gl.uniform1i(places.map, UNITS.map);
-        gl.uniform2i(places.tile, x, y);
-        gl.drawArrays(gl.TRIANGLES, 0, 3);
-        const found = new Uint32Array(4);
-        gl.readPixels(0, 0, 1, 1, gl.RGBA_INTEGER, gl.UNSIGNED_INT, found);
-        gl.bindFramebuffer(gl.FRAMEBUFFER, null);
-        const sides = Array.from(found), [h, v] = this.scene.colors;
-        const tile = ((sides[0] * v + sides[1]) * h + sides[2]) * v + sides[3];
-        const cell = this.table[tile], width = this.scene.width;
-        return { x, y, tile, sides, row: Math.floor(cell / width), column: cell % width };
+        const key = [this.tilings.name, x, y].join();
+        if (this.found?.key !== key) {
+            const [tile] = this.tilings.window(x, y, 1, 1);
+            this.found = { key, tile: { x, y, ...this.tilings.about(tile) } };
+        }
+        return this.found.tile;
+    }
+
+    // The tile under the pointer; without one, where repeats are shown, that in the middle.
+    get looked() {
+        if (!this.pointer && !this.repeats) return null;
+        const [x, y] = this.pointer ? this.positionAt(...this.pointer) : [this.x, this.y];
+        return this.tileAt(Math.floor(x), Math.floor(y));
+    }
+
+    // The number of the tile whose copies are shown.
+    get marked() {
+        return this.repeats ? this.held ?? this.looked.tile : null;
+    }
+
+    // The tiles in view, also those of which but a part is: south-west one, width and height.
+    get extent() {
+        const { width, height } = this.canvas;
+        const [west, north] = this.positionAt(0, 0), [east, south] = this.positionAt(width, height);
+        const [x, y] = [Math.floor(west), Math.floor(south)];
+        return [x, y, Math.ceil(east) - x, Math.ceil(north) - y];
+    }
+
+    // How often a tile is in view, and how many tiles are.
+    count(tile) {
+        const extent = this.extent, key = [this.tilings.name, ...extent].join();
+        if (this.seen?.key !== key) this.seen = { key, tiles: this.tilings.window(...extent) };
+        const tiles = this.seen.tiles;
+        return [tiles.reduce((copies, other) => copies + (other === tile), 0), tiles.length];
     }
 
     draw() {
-        const gl = this.gl, { program, places } = this.drawing;
+        // What reads tiles back comes first: it draws, too.
+        const marked = this.marked, looked = this.repeats || this.borders ? this.looked : null;
+        const gl = this.gl, places = this.tilings.use("drawing");
         const base = [Math.floor(this.x), Math.floor(this.y)];
         gl.viewport(0, 0, this.canvas.width, this.canvas.height);
-        gl.useProgram(program);
-        for (const name of ["table", "map", "ranks", "atlas"]) {
-            if (places[name]) gl.uniform1i(places[name], UNITS[name]);
-        }
         gl.uniform2i(places.base, ...base);
         gl.uniform2f(places.offset, this.x - base[0], this.y - base[1]);
         gl.uniform1f(places.scale, 1 / this.zoom);
         gl.uniform2f(places.middle, this.canvas.width / 2, this.canvas.height / 2);
         gl.uniform1i(places.side, this.scene.side);
+        gl.uniform1i(places.gutter, this.scene.gutter);
         gl.uniform1i(places.last_level, this.levels - 1);
         gl.uniform1f(places.lod, this.lod);
         gl.uniform1i(places.probes, this.probes);
@@ -112,9 +124,12 @@ class View {
         gl.uniform1f(places.gain, this.gain);
         gl.uniform1i(places.hardware, this.hardware ? 1 : 0);
         gl.uniform1i(places.encoded, this.scene.srgb ? 1 : 0);
-        gl.uniform1f(places.borders, this.borders ? window.devicePixelRatio || 1 : 0);
-        gl.uniform1i(places.hovering, this.hover && this.borders ? 1 : 0);
-        gl.uniform2i(places.hover, ...(this.hover || [0, 0]));
+        gl.uniform1f(places.pixel, window.devicePixelRatio || 1);
+        gl.uniform1i(places.borders, this.borders ? 1 : 0);
+        gl.uniform1i(places.repeats, this.repeats ? 1 : 0);
+        gl.uniform1ui(places.marked, marked ?? 0);
+        gl.uniform1i(places.hovering, looked ? 1 : 0);
+        gl.uniform2i(places.hover, looked?.x ?? 0, looked?.y ?? 0);
         gl.drawArrays(gl.TRIANGLES, 0, 3);
     }
 
