@@ -144,7 +144,7 @@ impl HaltonRows {
             let visit = if sum >= points { sum - points } else { sum };
             // Below 2^56, so the quotient is at most one too large.
             let product = visit * self.colors;
-            let quotient = (u128::from(product) * u128::from(self.inverse) >> 64) as u64;
+            let quotient = ((u128::from(product) * u128::from(self.inverse)) >> 64) as u64;
             *color = (quotient - u64::from(quotient * points > product)) as u8;
         }
     }
