@@ -122,7 +122,7 @@ fn the_set_of_a_coloring_can_be_packed() {
 fn compact_corner_sets_end_to_end() {
     let place = Place::new();
     let solutions = concat!(env!("CARGO_MANIFEST_DIR"), "/solutions/corner-difference-3-9x6.json");
-    place.write("three.json", &std::fs::read_to_string(solutions).unwrap());
+    place.write("three.json", std::fs::read_to_string(solutions).unwrap());
     place.run("verify three.json").exits(0);
     place.run("atlas three.json -o atlas.png --tile-size 16 --strip 2").exits(0);
     let glsl = place.run("export three.json --to glsl-330 --coloring compact --seed 7").exits(0);
