@@ -277,6 +277,26 @@ impl Made {
     }
 }
 
+impl Made {
+    /// A tiling, of tiles listed row by row.
+    ///
+    /// # Errors
+    /// A tile that was not made.
+    pub fn tiling(&self, tiles: &[TileId], width: usize) -> Result<Quilt, AtlasError> {
+        let side = self.order.shape.side;
+        let quilts: Vec<&Quilt> = tiles
+            .iter()
+            .map(|&tile| {
+                let missing = || AtlasError::Asked(format!("tile {tile} was not made"));
+                self.tiles.get(&tile).ok_or_else(missing)
+            })
+            .collect::<Result<_, _>>()?;
+        Ok(Quilt::new(width * side, tiles.len() / width * side, |x, y| {
+            quilts[y / side * width + x / side].at(x % side, y % side)
+        }))
+    }
+}
+
 /// The pictures of tiles that were made, of one map.
 #[derive(Debug, Clone, Copy)]
 pub struct Drawn<'a> {

@@ -26,12 +26,12 @@ pub(super) fn field(width: usize, height: usize, seed: u32) -> Field {
         let grain = random(seed ^ 0x4d, x as i64, y as i64);
         let brick = ramp(-0.5, 1.2, edge + 0.5 * (rough - 0.5));
         let dome = ramp(0.0, 3.4, edge);
-        let chip = ramp(0.7, 0.78, noise(seed ^ 0x5e, u / 4.0, v / 4.0));
-        let body = 0.5 + 0.3 * dome + 0.3 * (rough - 0.5) - 0.12 * chip + 0.08 * of_brick(0x6f);
+        let chip = ramp(0.76, 0.86, noise(seed ^ 0x5e, u / 3.0, v / 3.0));
+        let body = 0.5 + 0.3 * dome + 0.3 * (rough - 0.5) - 0.07 * chip + 0.08 * of_brick(0x6f);
         let mortar = 0.2 + 0.14 * (rough - 0.5);
         field.high[at] = (mortar + (body - mortar) * brick).clamp(0.0, 1.0);
-        let fired = blend([150.0, 72.0, 52.0], [196.0, 112.0, 78.0], of_brick(0x7a));
-        let fired = blend(fired, [122.0, 66.0, 58.0], ramp(0.62, 0.95, of_brick(0x8b)) * 0.8);
+        let fired = blend([138.0, 76.0, 60.0], [178.0, 112.0, 86.0], of_brick(0x7a));
+        let fired = blend(fired, [112.0, 70.0, 64.0], ramp(0.62, 0.95, of_brick(0x8b)) * 0.8);
         let flame = layers(seed ^ 0x9c, u / 14.0, v / 6.0, 3);
         let fired = fired.map(|part| part * (0.8 + 0.4 * flame) * (0.95 + 0.09 * grain));
         let lime = 0.86 + 0.18 * rough + 0.07 * grain;
