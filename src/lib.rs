@@ -26,9 +26,10 @@
 //! 16. [`aperiodic`]: sets of tiles that fill the plane, but never periodically.
 //! 17. [`tiling`]: endless tilings, evaluated anywhere.
 //! 18. [`atlas`]: from a packing to a texture.
-//! 19. [`store`]: files, whole or not at all.
-//! 20. [`cluster`]: one search in parts, on many machines.
-//! 21. [`cli`]: the command line.
+//! 19. [`texture`]: tile images from examples.
+//! 20. [`store`]: files, whole or not at all.
+//! 21. [`cluster`]: one search in parts, on many machines.
+//! 22. [`cli`]: the command line.
 //!
 //! Every layer uses only those before it (the search none), so each can be read, and trusted,
 //! without the later ones.
@@ -73,6 +74,7 @@ pub mod portfolio;
 pub mod search;
 pub mod store;
 pub mod symmetry;
+pub mod texture;
 pub mod tiles;
 pub mod tiling;
 pub mod torus;

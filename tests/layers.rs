@@ -33,6 +33,8 @@ const LAYERS: &[(&str, &[&str])] = &[
     ("aperiodic", &["tiles", "torus", "search"]),
     ("tiling", &["tiles", "torus", "construct"]),
     ("atlas", &["tiles", "torus", "construct", "tiling"]),
+    // Of the search only what says when to stop.
+    ("texture", &["tiles", "torus", "search", "tiling", "atlas"]),
     ("store", &["tiles", "torus", "search", "symmetry", "packing"]),
     ("cluster", &["packing", "store"]),
     (
@@ -54,6 +56,7 @@ const LAYERS: &[(&str, &[&str])] = &[
             "aperiodic",
             "tiling",
             "atlas",
+            "texture",
             "verify",
             "store",
             "cluster",
@@ -70,7 +73,7 @@ const CRATES: &[(&str, &[&str])] = &[
     ("roxmltree", &["atlas/formats/"]),
     ("bincode", &["store/codec.rs"]),
     ("serde_json", &["store/", "cli/", "atlas/"]),
-    ("rayon", &["packing/", "symmetry/", "atlas/", "aperiodic/classify/", "cli/"]),
+    ("rayon", &["packing/", "symmetry/", "atlas/", "aperiodic/classify/", "texture/", "cli/"]),
     ("crossbeam", &["search/", "store/keeping.rs"]),
     (
         "rand",
@@ -82,6 +85,7 @@ const CRATES: &[(&str, &[&str])] = &[
             "patch/",
             "compact/",
             "construct/",
+            "texture/",
         ],
     ),
     (
@@ -94,6 +98,7 @@ const CRATES: &[(&str, &[&str])] = &[
             "patch/",
             "compact/",
             "construct/",
+            "texture/",
         ],
     ),
 ];

@@ -8,6 +8,7 @@ mod atlas;
 mod board;
 mod cube;
 mod export;
+mod fill;
 mod find;
 mod formats;
 mod parts;
@@ -23,6 +24,7 @@ pub use atlas::{ArrangeArg, AtlasArgs, ChannelsArg, GutterArg, LintArgs, TilePic
 pub use board::BoardArgs;
 pub use cube::{CubeArgs, CubeKindArg};
 pub use export::{ExportCnfArgs, ExportOut, ExportXccArgs};
+pub use fill::{AlphaArg, FillArgs, FillMethod};
 pub use find::{FindArgs, FirstRow, Method, ValueOrder};
 pub use formats::{ExportArgs, ImportArgs, To};
 pub use parts::{ClusterCommand, JobArgs, MergeArgs, PartArgs, PlanArgs, SlurmArgs};
@@ -93,6 +95,9 @@ pub enum Command {
     /// Find out whether the tiles of a sheet fit
     #[command(after_help = help::LINT)]
     Lint(LintArgs),
+    /// Make the pictures of tiles from examples, so that they fit without seams
+    #[command(after_help = help::FILL)]
+    Fill(FillArgs),
     /// Say which tile lies at a place of an endless tiling
     #[command(after_help = help::TILE)]
     Tile(TileArgs),

@@ -5,7 +5,7 @@
 //! * One file a command: [`find`] (by [`construct`], [`anneal`], [`beam`], [`cover`], [`restarts`] or
 //!   [`portfolio`], whichever it is told to or [`choose`]s), [`locate`], [`tile`] (of a [`tiling`]),
 //!   [`count`] (also by [`formula`]), [`list`], [`estimate`], [`export`] (for other solvers),
-//!   [`atlas`] and [`lint`] (textures, of [`tile_pictures`]), [`formats`] (for other programs, of
+//!   [`atlas`] and [`lint`] (textures, of [`tile_pictures`]), [`mod@fill`] (tiles from examples), [`formats`] (for other programs, of
 //!   which [`export_shader`] writes shaders) and [`import`], [`mod@aperiodic`], [`resume`], [`plan`], [`part`] (the
 //!   command `run`), [`merge`], [`cluster`] (job
 //!   files), [`verify`] (with [`recursive`]), [`show`], [`sets`], [`cube`], [`walk`]; [`ring`] is the option
@@ -38,6 +38,7 @@ pub mod eta;
 pub mod exit;
 pub mod export;
 pub mod export_shader;
+pub mod fill;
 pub mod find;
 pub mod formats;
 pub mod formula;
@@ -103,6 +104,7 @@ pub fn run() -> Exit {
         Command::ExportXcc(args) => export::run_xcc(args),
         Command::Atlas(args) => atlas::run(args),
         Command::Lint(args) => lint::run(args),
+        Command::Fill(args) => fill::run(args),
         Command::Export(args) => formats::run(args),
         Command::Aperiodic(command) => aperiodic::run(command),
         Command::Import(args) => import::run(args),

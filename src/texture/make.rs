@@ -104,6 +104,21 @@ impl Base {
     }
 }
 
+/// Refuses more tiles than can be held.
+///
+/// # Errors
+/// When there are.
+pub fn check_count(tiles: u64, shape: Shape) -> Result<(), TextureError> {
+    let texels = tiles.saturating_mul((shape.side * shape.side) as u64);
+    if texels > MOST_TEXELS {
+        return Err(TextureError::Asked(format!(
+            "{tiles} tiles of {0} x {0} texels have {texels} texels: at most {MOST_TEXELS}",
+            shape.side
+        )));
+    }
+    Ok(())
+}
+
 /// Refuses what cannot be made.
 fn check(stock: &Stock, order: Order, tiles: u64) -> Result<(), TextureError> {
     let asked = |message: String| Err(TextureError::Asked(message));
@@ -122,13 +137,7 @@ fn check(stock: &Stock, order: Order, tiles: u64) -> Result<(), TextureError> {
     if tiles == 0 {
         return asked("expected at least one tile".into());
     }
-    let texels = tiles.saturating_mul((shape.side * shape.side) as u64);
-    if texels > MOST_TEXELS {
-        return asked(format!(
-            "{tiles} tiles of {0} x {0} texels have {texels} texels: at most {MOST_TEXELS}",
-            shape.side
-        ));
-    }
+    check_count(tiles, shape)?;
     if order.candidates == 0 || order.tries == 0 {
         return asked("expected at least one candidate and one try".into());
     }

@@ -35,7 +35,7 @@ pub mod wang;
 pub mod weave;
 
 pub use error::TextureError;
-pub use make::{Drawn, Made, Method, Order, Progress, make};
+pub use make::{Drawn, Made, Method, Order, Progress, check_count, make};
 pub use quilt::Quilt;
 pub use shape::Shape;
 pub use stock::{Alpha, Place, Stock, Texel};

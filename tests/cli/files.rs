@@ -50,7 +50,7 @@ fn help_and_version() {
     assert_eq!(version.stdout, format!("tilepack {}\n", env!("CARGO_PKG_VERSION")));
     for command in [
         "", "find", "locate", "count", "list", "verify", "show", "sets", "cube", "walk", "export",
-        "import", "tile", "atlas", "lint",
+        "import", "tile", "atlas", "lint", "fill",
     ] {
         for option in ["--help", "-h"] {
             let help = run(&format!("{command} {option}")).exits(0);
@@ -78,6 +78,7 @@ fn the_examples_run() {
         "tile",
         "atlas",
         "lint",
+        "fill",
         "aperiodic color",
         "aperiodic sets",
         "aperiodic convert",
