@@ -358,7 +358,8 @@ impl Forest {
                 true => self.grid.left[direction][node],
                 false => self.grid.left[BACK[direction]][next],
             };
-            if room > 0 && self.parent[next] != ORPHAN {
+            // It may take the node in again, also if it is an orphan that is adopted yet.
+            if room > 0 {
                 self.wake(next);
             }
             if self.parent[next] == BACK[direction] as u8 {

@@ -15,7 +15,7 @@ pub(super) fn field(width: usize, height: usize, seed: u32) -> Field {
         let sound = ramp(0.46, 0.56, layers(seed ^ 0xaa, x / 17.0, y / 17.0, 2));
         let crack = (1.0 - ramp(0.0, 0.018, vein)) * (1.0 - sound);
         let rough = layers(seed ^ 0x55, x / 4.0, y / 4.0, 2);
-        let pit = ramp(0.72, 0.8, noise(seed ^ 0x66, u / 5.0, v / 5.0));
+        let pit = ramp(0.66, 0.74, layers(seed ^ 0x66, u / 6.0, v / 6.0, 3));
         field.high[at] =
             (0.1 + 0.75 * lumps + 0.1 * rough - 0.09 * crack - 0.06 * pit).clamp(0.0, 1.0);
         let tone = ramp(0.35, 0.68, layers(seed ^ 0x77, v / 31.0, u / 31.0, 3));
