@@ -73,12 +73,8 @@ impl Cover {
         random: &mut Pcg64,
     ) -> Vec<Fit> {
         let (side, stride) = (self.shape.side, stock.stride());
-        let wanted: Vec<u16> = self
-            .ring
-            .iter()
-            .flat_map(|&(x, y)| stock.light(tile.at(x, y)))
-            .copied()
-            .collect();
+        let wanted: Vec<u16> =
+            self.ring.iter().flat_map(|&(x, y)| stock.light(tile.at(x, y))).copied().collect();
         let offsets: Vec<usize> = self.ring.iter().map(|&(x, y)| y * stride + x).collect();
         let features = stock.features();
         let mut best: Vec<Fit> = Vec::new();
@@ -126,9 +122,8 @@ impl Cover {
     /// Puts the patch at a position into a tile; what is paid for all seams then.
     pub fn cut(&self, stock: &Stock, tile: &Quilt, at: Texel) -> (Quilt, u64) {
         let shape = self.shape;
-        let patch = Quilt::new(shape.side, shape.side, |x, y| {
-            at + (y * stock.stride() + x) as Texel
-        });
+        let patch =
+            Quilt::new(shape.side, shape.side, |x, y| at + (y * stock.stride() + x) as Texel);
         let (core, radius) = (shape.core(), 2 * shape.radius());
         let mut hold: Vec<Hold> = (0..shape.side * shape.side)
             .map(|at| match off(shape, at % shape.side, at / shape.side) {
@@ -168,12 +163,7 @@ fn near(a: Texel, b: Texel, stride: usize, apart: usize) -> bool {
 }
 
 /// Gives each tile the positions that it shall try, the tiles in turn.
-pub fn shared_out(
-    fits: &[Vec<Fit>],
-    tries: usize,
-    stock: &Stock,
-    shape: Shape,
-) -> Vec<Vec<Texel>> {
+pub fn shared_out(fits: &[Vec<Fit>], tries: usize, stock: &Stock, shape: Shape) -> Vec<Vec<Texel>> {
     let mut taken: Vec<Texel> = Vec::new();
     let mut shares = Vec::new();
     for fits in fits {
@@ -182,8 +172,7 @@ pub fn shared_out(
             taken.iter().filter(close).count()
         };
         let cost = |fit: &Fit| fit.cost as f64 * (1.0 + USED * uses(fit.texel) as f64);
-        let mut ranked: Vec<(f64, Texel)> =
-            fits.iter().map(|fit| (cost(fit), fit.texel)).collect();
+        let mut ranked: Vec<(f64, Texel)> = fits.iter().map(|fit| (cost(fit), fit.texel)).collect();
         ranked.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
         ranked.truncate(tries);
         taken.extend(ranked.first().map(|(_, texel)| *texel));

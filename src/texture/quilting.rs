@@ -4,11 +4,11 @@
 //! those that fit best to what lies there, cut along the overlap. It never repeats and knows no
 //! tiles, but has to be made and kept at full size.
 
+use super::Shape;
 use super::corner::Corners;
 use super::quilt::Quilt;
 use super::stock::{Stock, Texel};
 use super::weave::{Hold, weave};
-use super::Shape;
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64;
 use rayon::prelude::*;
@@ -90,9 +90,7 @@ fn fitting(stock: &Stock, there: &Quilt, random: &mut Pcg64) -> Texel {
     };
     let costs: Vec<u64> = positions.par_iter().map(cost).collect();
     let least = costs.iter().min().copied().unwrap_or(0) as f64 * TOLERANCE;
-    let good: Vec<Texel> = (0..POSITIONS)
-        .filter(|&at| costs[at] as f64 <= least)
-        .map(|at| positions[at])
-        .collect();
+    let good: Vec<Texel> =
+        (0..POSITIONS).filter(|&at| costs[at] as f64 <= least).map(|at| positions[at]).collect();
     good[random.random_range(0..good.len())]
 }

@@ -161,8 +161,7 @@ pub fn scattered(
     count: usize,
     random: &mut Pcg64,
 ) -> Vec<(isize, isize)> {
-    let mut one = |of: &std::ops::Range<isize>| {
-        random.random_range(of.start as i64..of.end as i64) as isize
-    };
+    let mut one =
+        |of: &std::ops::Range<isize>| random.random_range(of.start as i64..of.end as i64) as isize;
     (0..count).map(|_| (one(&columns), one(&rows))).collect()
 }

@@ -20,9 +20,8 @@ pub fn cover(stock: &Stock, shape: Shape, tile: &Quilt, at: Texel) -> (Quilt, u6
             let line = |at: usize, far: bool| if far { half + at } else { half - 1 - at };
             line(v, south) * side + line(u, east)
         };
-        let brightness = |texel: Texel| {
-            stock.light(texel).iter().map(|&sample| i64::from(sample)).sum::<i64>()
-        };
+        let brightness =
+            |texel: Texel| stock.light(texel).iter().map(|&sample| i64::from(sample)).sum::<i64>();
         let price = |u: usize, v: usize| {
             let at = place(u, v);
             let off = brightness(tile.texels[at]) - brightness(patch.texels[at]);

@@ -71,7 +71,10 @@ impl Stock {
         for (at, all) in images.iter().enumerate() {
             let words = formats.len();
             let Some(picture) = all.first().filter(|_| all.len() == words) else {
-                return asked(format!("example {at} has {} pictures, the first {words}", all.len()));
+                return asked(format!(
+                    "example {at} has {} pictures, the first {words}",
+                    all.len()
+                ));
             };
             let (width, height) = (picture.width(), picture.height());
             for (map, image) in all.iter().enumerate() {

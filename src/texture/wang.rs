@@ -70,7 +70,8 @@ fn contacts(shape: Shape, colors: Colors, random: &mut Pcg64) -> Vec<Contact> {
                     let shift = |far: bool| if far { 2 * half } else { 0 };
                     places.push([(x - half, y - shift(south)), (x - shift(east), y - half)]);
                 }
-                contacts.push(Contact { sites: [horizontal, colors.horizontal() + vertical], places });
+                contacts
+                    .push(Contact { sites: [horizontal, colors.horizontal() + vertical], places });
             }
         }
     }
@@ -157,8 +158,7 @@ fn with_ends(
 ) -> (Quilt, u64) {
     let (side, half, stride) = (shape.side, (shape.side / 2) as isize, stock.stride() as isize);
     let (reach, strip) = (corner_reach(shape) as isize, shape.strip as isize);
-    let texel =
-        |of: Texel, x: isize, y: isize| (of as isize + y * stride + x) as Texel;
+    let texel = |of: Texel, x: isize, y: isize| (of as isize + y * stride + x) as Texel;
     let place = |x: usize, y: usize| (x as isize - half, y as isize - half);
     let plain = Quilt::new(side, side, |x, y| {
         let (x, y) = place(x, y);
@@ -205,12 +205,10 @@ fn cut(
     let half = shape.side / 2;
     let shift = |far: bool| if far { half } else { 0 };
     let (left, top) = (shift(east), shift(south));
-    let first = Quilt::new(half, half, |x, y| {
-        horizontal.at(left + x, sample_line(top + y, south, half))
-    });
-    let second = Quilt::new(half, half, |x, y| {
-        vertical.at(sample_line(left + x, east, half), top + y)
-    });
+    let first =
+        Quilt::new(half, half, |x, y| horizontal.at(left + x, sample_line(top + y, south, half)));
+    let second =
+        Quilt::new(half, half, |x, y| vertical.at(sample_line(left + x, east, half), top + y));
     let hold: Vec<Hold> = (0..half * half)
         .map(|at| {
             // From the corner of the tile.

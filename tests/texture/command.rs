@@ -100,7 +100,8 @@ fn sheets_say_what_they_show_and_pass_lint() {
     {
         let set = format!("--kind {kind} --colors {colors} --method {method}");
         place.exits(0, &format!("fill a.png {set} {SMALL} -o s.png"));
-        let (_, found, _) = place.run("lint s.png --tiles s.tiles.json --strip 4 --complete --json");
+        let (_, found, _) =
+            place.run("lint s.png --tiles s.tiles.json --strip 4 --complete --json");
         let found: Value = serde_json::from_str(&found).unwrap();
         assert_eq!((&found["tiles"], &found["tile_size"]), (&16.into(), &32.into()), "{set}");
         assert_eq!(found["off"], Value::Array(vec![]), "{set}");
@@ -164,7 +165,10 @@ fn equal_arguments_give_equal_bytes() {
         let args = format!("fill a.png --kind corner --colors 2 {SMALL} --threads {threads}");
         place.exits(0, &format!("{args} -o {out}"));
     }
-    assert_eq!(fs::read(place.path("one.png")).unwrap(), fs::read(place.path("three.png")).unwrap());
+    assert_eq!(
+        fs::read(place.path("one.png")).unwrap(),
+        fs::read(place.path("three.png")).unwrap()
+    );
 }
 
 #[test]
@@ -175,8 +179,7 @@ fn a_report_with_what_others_would_have_made() {
     for words in ["tiles: mismatch at seams", "periodic: ", "quilting: ", "written to t"] {
         assert!(told.contains(words), "{told}");
     }
-    let report: Value =
-        serde_json::from_slice(&fs::read(place.path("r.json")).unwrap()).unwrap();
+    let report: Value = serde_json::from_slice(&fs::read(place.path("r.json")).unwrap()).unwrap();
     let number = |pointer: &str| report.pointer(pointer).unwrap().as_f64().unwrap();
     assert_eq!(number("/strip_differences"), 0.0);
     assert_eq!(number("/candidates"), 2.0);
@@ -200,7 +203,10 @@ fn no_time_gives_tiles_all_the_same() {
     let args = format!("fill a.png --kind corner --colors 2 {SMALL} --time-limit 0 -o t --json");
     let (code, stdout, stderr) = place.run(&args);
     let made: Value = serde_json::from_str(&stdout).unwrap();
-    assert_eq!((code, &made["stopped_by"], &made["candidates"]), (0, &"time-limit".into(), &1.into()));
+    assert_eq!(
+        (code, &made["stopped_by"], &made["candidates"]),
+        (0, &"time-limit".into(), &1.into())
+    );
     assert!(stderr.contains("1 of 2 candidates tried"), "{stderr}");
     assert_eq!(place.names("t").len(), 16);
 }
@@ -227,18 +233,30 @@ fn bad_input_is_told_with_its_numbers() {
     fs::write(place.path("no.png"), "no picture").unwrap();
     let two = "--kind corner --colors 2";
     for (args, words) in [
-        (format!("a.png {two} -o t"), "is 72 x 64 texels: expected at least 88 x 88, for tiles of 64"),
+        (
+            format!("a.png {two} -o t"),
+            "is 72 x 64 texels: expected at least 88 x 88, for tiles of 64",
+        ),
         (format!("narrow.png {two} -o t"), "example 1 is 300 x 40 texels"),
         (format!("a.png b.png {two} --tile-size 32 -o t"), "example 2: 1 channels of 8 bits"),
-        (format!("a.png {two} --map b.png -o t"), "b.png is 70 x 64 texels: expected 72 x 64, as a.png"),
+        (
+            format!("a.png {two} --map b.png -o t"),
+            "b.png is 70 x 64 texels: expected 72 x 64, as a.png",
+        ),
         (format!("a.png {two} --map c.png,c.png -o t"), "2 files for 1 examples"),
         (format!("a.png {two} --map c.png --map c.png -o t"), "expected files of different names"),
         (format!("a.png {two} --tile-size 33 -o t"), "tiles of 33 texels: expected an even number"),
         (format!("a.png {two} --tile-size 4 -o t"), "tiles of 4 texels"),
         (format!("a.png {two} --strip 17 -o t"), "a strip of 17 texels: expected 1 to 16"),
         (format!("a.png {two} --strip 0 -o t"), "a strip of 0 texels"),
-        ("a.png --kind corner --colors 1 --tile-size 32 -o t".into(), "1 colors: expected at least 2"),
-        ("a.png --kind wang --colors 3,1 --tile-size 32 -o t".into(), "3,1 colors: expected at least 2"),
+        (
+            "a.png --kind corner --colors 1 --tile-size 32 -o t".into(),
+            "1 colors: expected at least 2",
+        ),
+        (
+            "a.png --kind wang --colors 3,1 --tile-size 32 -o t".into(),
+            "3,1 colors: expected at least 2",
+        ),
         ("a.png --kind corner --colors 60 -o t".into(), "12960000 tiles of 64 x 64 texels"),
         ("a.png --kind domino --colors 3 -o t".into(), "not dominoes"),
         (format!("a.png {two} --method cohen --tile-size 32 -o t"), "cohen is for Wang tiles"),

@@ -20,7 +20,10 @@ fn files_are_what_is_drawn() {
         let file = fs::read(&path).unwrap();
         assert!(file.len() < 150_000, "{name}: {} bytes", file.len());
         let image = draw(subject, aspect, (256, 256), 0).unwrap();
-        assert!(read_png(Cursor::new(&file), 1 << 30).unwrap() == image, "{name} is drawn otherwise");
+        assert!(
+            read_png(Cursor::new(&file), 1 << 30).unwrap() == image,
+            "{name} is drawn otherwise"
+        );
         // As the command in the README of the folder writes it.
         let mut bytes = Vec::new();
         let comment = format!("tilepack fill --example {name} --size 256x256 --seed 0");

@@ -92,7 +92,8 @@ fn a_large_grid_is_cut_where_it_is_weak() {
     let mut weak = 0;
     for y in 0..height {
         for x in 0..width {
-            let (source, sink) = (if x == 0 { 100 } else { 0 }, if x == width - 1 { 100 } else { 0 });
+            let (source, sink) =
+                (if x == 0 { 100 } else { 0 }, if x == width - 1 { 100 } else { 0 });
             grid.join_ends(x, y, source, sink);
             if x + 1 < width {
                 let arc = if x == line(y) { 1 } else { 5 };
@@ -100,7 +101,8 @@ fn a_large_grid_is_cut_where_it_is_weak() {
                 weak += i64::from(arc == 1);
             }
             if y + 1 < height {
-                let crossed = (line(y).min(line(y + 1)) + 1..=line(y).max(line(y + 1))).contains(&x);
+                let crossed =
+                    (line(y).min(line(y + 1)) + 1..=line(y).max(line(y + 1))).contains(&x);
                 let arc = if crossed { 1 } else { 5 };
                 grid.join_south(x, y, arc, arc);
                 weak += i64::from(arc == 1);

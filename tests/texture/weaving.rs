@@ -21,7 +21,8 @@ fn no_other_choice_costs_less() {
         let (width, height) = (random.random_range(2..6), random.random_range(2..6));
         let mut place = || (random.random_range(0..18), random.random_range(0..18));
         let (a, b, c) = (place(), place(), place());
-        let (mut first, second) = (patch(&stock, a, width, height), patch(&stock, b, width, height));
+        let (mut first, second) =
+            (patch(&stock, a, width, height), patch(&stock, b, width, height));
         // A seam of old in the first, that a cut may hide.
         let old = patch(&stock, c, width, height);
         for at in (0..width * height).filter(|at| at % width >= width / 2) {

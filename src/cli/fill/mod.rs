@@ -116,7 +116,8 @@ fn draw(args: &FillArgs, name: &str) -> anyhow::Result<Exit> {
     };
     let size: torus::Shape = args.size.parse().context("--size")?;
     let seed = u32::try_from(args.seed).ok();
-    let seed = seed.with_context(|| format!("--seed {}: expected at most {}", args.seed, u32::MAX))?;
+    let seed =
+        seed.with_context(|| format!("--seed {}: expected at most {}", args.seed, u32::MAX))?;
     let image = example::draw(subject, aspect, (size.width(), size.height()), seed)?;
     let mut bytes = Vec::new();
     let comment = format!("tilepack fill --example {name} --size {size} --seed {seed}");

@@ -87,8 +87,7 @@ pub(super) fn stock(args: &FillArgs) -> anyhow::Result<Stock> {
         );
         for ((file, of), example) in files.into_iter().zip(&mut images).zip(&args.examples) {
             let image = light(open_png(Path::new(file))?, true);
-            let (is, wanted) =
-                ((image.width(), image.height()), (of[0].width(), of[0].height()));
+            let (is, wanted) = ((image.width(), image.height()), (of[0].width(), of[0].height()));
             ensure!(
                 is == wanted,
                 "{file} is {} x {} texels: expected {} x {}, as {}",

@@ -49,7 +49,8 @@ impl Field {
                 let light = 0.62 * up - 0.5 * east + 0.6 * north;
                 let here = self.high(x as isize, y as isize);
                 let mut around = 0.0;
-                for (dx, dy) in [(-3, 0), (3, 0), (0, -3), (0, 3), (-2, -2), (2, 2), (-2, 2), (2, -2)]
+                for (dx, dy) in
+                    [(-3, 0), (3, 0), (0, -3), (0, 3), (-2, -2), (2, 2), (-2, 2), (2, -2)]
                 {
                     around += self.high(x as isize + dx, y as isize + dy) / 8.0;
                 }

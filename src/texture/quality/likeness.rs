@@ -91,7 +91,8 @@ fn full(stock: &Stock) -> Vec<f64> {
 fn nearest(stock: &Stock, tiling: &Quilt, x: usize, y: usize, full: &[f64]) -> f64 {
     let scale: Vec<f32> = full.iter().map(|full| (255.0 / full) as f32).collect();
     let features = stock.features();
-    let light = |texel: Texel| stock.light(texel).iter().zip(&scale).map(|(&s, by)| f32::from(s) * by);
+    let light =
+        |texel: Texel| stock.light(texel).iter().zip(&scale).map(|(&s, by)| f32::from(s) * by);
     let wanted: Vec<f32> = (0..PATCH * PATCH)
         .flat_map(|at| light(tiling.at(x + at % PATCH, y + at / PATCH)))
         .collect();

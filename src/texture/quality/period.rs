@@ -31,8 +31,7 @@ impl Period {
     /// Looks at a tiling.
     pub fn of(stock: &Stock, tiling: &Quilt, side: usize) -> Self {
         let (width, height) = (tiling.width, tiling.height);
-        let light: Vec<f64> =
-            tiling.texels.iter().map(|&texel| brightness(stock, texel)).collect();
+        let light: Vec<f64> = tiling.texels.iter().map(|&texel| brightness(stock, texel)).collect();
         let mean = light.iter().sum::<f64>() / light.len().max(1) as f64;
         let light: Vec<f64> = light.into_iter().map(|value| value - mean).collect();
         let (comb, peak) = comb(&light, width, height, side);
