@@ -286,12 +286,12 @@ impl Forest {
     fn adopt(&mut self) {
         while let Some(node) = self.orphans.pop_front() {
             let mut best: Option<(u32, usize)> = None;
-            for direction in 0..4 {
+            for (direction, back) in BACK.into_iter().enumerate() {
                 let next = self.to(node, direction);
                 // Room on the way from the root to the node.
                 let room = match self.in_sink[node] {
                     true => self.grid.left[direction][node],
-                    false => self.grid.left[BACK[direction]][next],
+                    false => self.grid.left[back][next],
                 };
                 if room == 0
                     || self.parent[next] >= ORPHAN && self.parent[next] != ROOT
@@ -349,20 +349,20 @@ impl Forest {
 
     /// A node without parent leaves its tree; its children look for others.
     fn free(&mut self, node: usize) {
-        for direction in 0..4 {
+        for (direction, back) in BACK.into_iter().enumerate() {
             let next = self.to(node, direction);
             if self.parent[next] == NONE || self.in_sink[next] != self.in_sink[node] {
                 continue;
             }
             let room = match self.in_sink[node] {
                 true => self.grid.left[direction][node],
-                false => self.grid.left[BACK[direction]][next],
+                false => self.grid.left[back][next],
             };
             // It may take the node in again, also if it is an orphan that is adopted yet.
             if room > 0 {
                 self.wake(next);
             }
-            if self.parent[next] == BACK[direction] as u8 {
+            if self.parent[next] == back as u8 {
                 self.lose_last(next);
             }
         }

@@ -103,9 +103,9 @@ impl Field {
                     Aspect::Height => [255.0 * self.high[y * self.width + x]; 3],
                     Aspect::Normal => self.normal(x, y).map(|part| 127.5 + 127.5 * part),
                 };
-                for channel in 0..channels.count() {
+                for (channel, sample) in samples.iter().take(channels.count()).enumerate() {
                     // To the nearest, also of what is halfway.
-                    let sample = (samples[channel] + 0.5).clamp(0.0, 255.0) as u16;
+                    let sample = (sample + 0.5).clamp(0.0, 255.0) as u16;
                     image.set_sample(x, y, channel, sample);
                 }
             }
