@@ -1,8 +1,8 @@
 //! `fill`: tile images from examples.
 //!
-//! * [`sources`] reads the examples and says which tiles are wanted;
-//! * [`files`] writes sheets and folders, all or none of them;
-//! * [`report`] says how good the tiles are.
+//! * `sources` reads the examples and says which tiles are wanted;
+//! * `files` writes sheets and folders, all or none of them;
+//! * `report` says how good the tiles are.
 //!
 //! A time limit ends the trying of further candidates; a signal ends all, and nothing is written.
 

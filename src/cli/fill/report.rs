@@ -13,7 +13,7 @@ use serde_json::{Value, json};
 const TILES: usize = 32;
 /// Texels of it in a row, at most, but 4 tiles.
 const TEXELS: usize = 2048;
-/// Texels of a quilt in a row.
+/// Texels of a quilt in a row, at most, but 4 tiles and no more than 16.
 const QUILT: usize = 1024;
 
 /// The numbers on tiles, and on what they are compared with.
@@ -70,7 +70,7 @@ pub(super) fn report(
             let tiling = Quilt::new(texels, texels, |x, y| tile.at(x % side, y % side));
             others.push(("periodic", quality(&tiling)));
         }
-        let texels = (QUILT / side).max(4) * side;
+        let texels = (QUILT / side).clamp(4, 16) * side;
         let quilt = quilting::quilted(stock, side * 3 / 4, texels, texels, seed);
         others.push(("quilting", quality(&quilt)));
     }
