@@ -27,9 +27,10 @@
 //! 17. [`dappled`]: tilings in which nothing repeats for too long.
 //! 18. [`tiling`]: endless tilings, evaluated anywhere.
 //! 19. [`atlas`]: from a packing to a texture.
-//! 20. [`store`]: files, whole or not at all.
-//! 21. [`cluster`]: one search in parts, on many machines.
-//! 22. [`cli`]: the command line.
+//! 20. [`texture`]: tile images from examples.
+//! 21. [`store`]: files, whole or not at all.
+//! 22. [`cluster`]: one search in parts, on many machines.
+//! 23. [`cli`]: the command line.
 //!
 //! Every layer uses only those before it (the search none), so each can be read, and trusted,
 //! without the later ones.
@@ -75,6 +76,7 @@ pub mod portfolio;
 pub mod search;
 pub mod store;
 pub mod symmetry;
+pub mod texture;
 pub mod tiles;
 pub mod tiling;
 pub mod torus;

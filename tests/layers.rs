@@ -35,6 +35,8 @@ const LAYERS: &[(&str, &[&str])] = &[
     ("dappled", &["tiles", "torus", "search"]),
     ("tiling", &["tiles", "torus", "construct"]),
     ("atlas", &["tiles", "torus", "construct", "tiling", "dappled"]),
+    // Of the search only what says when to stop.
+    ("texture", &["tiles", "torus", "search", "tiling", "atlas"]),
     ("store", &["tiles", "torus", "search", "symmetry", "packing"]),
     ("cluster", &["packing", "store"]),
     (
@@ -57,6 +59,7 @@ const LAYERS: &[(&str, &[&str])] = &[
             "dappled",
             "tiling",
             "atlas",
+            "texture",
             "verify",
             "store",
             "cluster",
@@ -73,7 +76,10 @@ const CRATES: &[(&str, &[&str])] = &[
     ("roxmltree", &["atlas/formats/"]),
     ("bincode", &["store/codec.rs"]),
     ("serde_json", &["store/", "cli/", "atlas/"]),
-    ("rayon", &["packing/", "symmetry/", "atlas/", "aperiodic/classify/", "dappled/", "cli/"]),
+    (
+        "rayon",
+        &["packing/", "symmetry/", "atlas/", "aperiodic/classify/", "dappled/", "texture/", "cli/"],
+    ),
     ("crossbeam", &["search/", "store/keeping.rs"]),
     (
         "rand",
@@ -86,6 +92,7 @@ const CRATES: &[(&str, &[&str])] = &[
             "compact/",
             "construct/",
             "dappled/",
+            "texture/",
         ],
     ),
     (
@@ -99,6 +106,7 @@ const CRATES: &[(&str, &[&str])] = &[
             "compact/",
             "construct/",
             "dappled/",
+            "texture/",
         ],
     ),
 ];

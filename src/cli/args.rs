@@ -10,6 +10,7 @@ mod brick;
 mod cube;
 mod dapple;
 mod export;
+mod fill;
 mod find;
 mod formats;
 mod parts;
@@ -30,6 +31,7 @@ pub use dapple::{
     DappleDrawArgs, DappleFlowArgs, DappleMakeArgs, DappleSampleArgs, OrderArg, RuleArgs, StartArg,
 };
 pub use export::{ExportCnfArgs, ExportOut, ExportXccArgs};
+pub use fill::{AlphaArg, FillArgs, FillMethod};
 pub use find::{FindArgs, FirstRow, Method, ValueOrder};
 pub use formats::{ExportArgs, ImportArgs, To};
 pub use parts::{ClusterCommand, JobArgs, MergeArgs, PartArgs, PlanArgs, SlurmArgs};
@@ -100,6 +102,9 @@ pub enum Command {
     /// Find out whether the tiles of a sheet fit
     #[command(after_help = help::LINT)]
     Lint(LintArgs),
+    /// Make the pictures of tiles from examples, so that they fit without seams
+    #[command(after_help = help::FILL)]
+    Fill(FillArgs),
     /// Say which tile lies at a place of an endless tiling
     #[command(after_help = help::TILE)]
     Tile(TileArgs),

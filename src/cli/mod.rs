@@ -5,11 +5,11 @@
 //! * One file a command: [`find`] (by [`construct`], [`anneal`], [`beam`], [`cover`], [`restarts`] or
 //!   [`portfolio`], whichever it is told to or [`choose`]s), [`locate`], [`tile`] (of a [`tiling`]),
 //!   [`count`] (also by [`formula`]), [`list`], [`estimate`], [`export`] (for other solvers),
-//!   [`atlas`] and [`lint`] (textures, of [`tile_pictures`]), [`formats`] (for other programs, of
-//!   which [`export_shader`] writes shaders) and [`import`], [`mod@aperiodic`], [`mod@dapple`], [`brick`], [`resume`], [`plan`], [`part`] (the
-//!   command `run`), [`merge`], [`cluster`] (job
-//!   files), [`verify`] (with [`recursive`]), [`show`], [`sets`], [`cube`], [`walk`]; [`ring`] is the option
-//!   `--ring` of two of them.
+//!   [`atlas`] and [`lint`] (textures, of [`tile_pictures`]), [`mod@fill`] (tiles from examples),
+//!   [`formats`] (for other programs, of which [`export_shader`] writes shaders) and [`import`],
+//!   [`mod@aperiodic`], [`mod@dapple`], [`brick`], [`resume`], [`plan`], [`part`] (the command
+//!   `run`), [`merge`], [`cluster`] (job files), [`verify`] (with [`recursive`]), [`show`],
+//!   [`sets`], [`cube`], [`walk`]; [`ring`] is the option `--ring` of two of them.
 //! * [`session`] runs a search with limits, [`signal`]s, [`progress`], [`eta`] (the time that is
 //!   left) and [`status`]; [`saving`] keeps it in a checkpoint, along with the [`request`] that
 //!   the answer is for.
@@ -40,6 +40,7 @@ pub mod eta;
 pub mod exit;
 pub mod export;
 pub mod export_shader;
+pub mod fill;
 pub mod find;
 pub mod formats;
 pub mod formula;
@@ -107,6 +108,7 @@ pub fn run() -> Exit {
         Command::ExportXcc(args) => export::run_xcc(args),
         Command::Atlas(args) => atlas::run(args),
         Command::Lint(args) => lint::run(args),
+        Command::Fill(args) => fill::run(args),
         Command::Export(args) => formats::run(args),
         Command::Aperiodic(command) => aperiodic::run(command),
         Command::Dapple(command) => dapple::run(command),

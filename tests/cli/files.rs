@@ -74,6 +74,7 @@ fn help_and_version() {
         "dapple count",
         "dapple sample",
         "dapple closest",
+        "fill",
     ] {
         for option in ["--help", "-h"] {
             let help = run(&format!("{command} {option}")).exits(0);
@@ -105,6 +106,7 @@ fn the_examples_run() {
         "tile",
         "atlas",
         "lint",
+        "fill",
         "aperiodic color",
         "aperiodic sets",
         "aperiodic convert",

@@ -41,6 +41,39 @@ off: cell, side, corner, largest, rms), seams, visible (first, second, side, lar
 inside), missing, twice, alike, lonely, redraw (cells, the worst first); with --filter those of \
 atlas --check.";
 
+/// Examples for `fill`.
+pub const FILL: &str = "\
+Every texel of a tile is a texel of an example, unchanged; pieces are cut apart along the line where \
+it shows least, all maps alike. Within --strip texels of a side a tile shows what the colors of that \
+side say, and nothing else: atlas --fill OUT goes on from there. That is checked before anything \
+is written. The corners of Wang tiles are the same in all of them.
+
+OUT.png is a sheet: of --packing the packing's own atlas, else in the order of tile numbers, and \
+OUT.tiles.json says so to atlas --sheet and lint --tiles. Other names are folders. Maps go to \
+OUT-NAME, NAME being that of the map's file. Of a compact set the tiles are those of the packing \
+that find constructs. Equal arguments give equal bytes on any number of threads, unless a time limit \
+cuts the trying short.
+
+Examples:
+  tilepack fill --example stone -o stone.png
+  tilepack fill --example stone-normal -o normal.png
+  tilepack fill stone.png --map normal.png --kind corner --colors 2 -o stones --candidates 4
+  tilepack find --kind wang --colors 2 -o wang.json
+  tilepack fill stone.png --packing wang.json --tile-size 32 -o wang.png --report wang-report.json
+  tilepack atlas wang.json --fill wang.png --sheet wang.json --check
+
+Exit codes: 0, and 75 when a signal ended it; nothing is written then.
+
+JSON fields (--json, --report): result (made, or drawn for --example), kind, colors, method, tiles, \
+tile_size, strip, strip_differences (0), seed, candidates (tried), taken, stopped_by, seconds, \
+files, tile_list, bytes, quality, and with --baselines baselines (periodic, quilting). quality has \
+seams (share of all steps; mean, high (95 %) and largest mismatch by the mean difference of texels \
+side by side in the examples; at_cuts, at_borders, at_middles: differences there by those \
+elsewhere), period (comb and peak: what lines at multiples of 1/tile_size in the spectrum have over \
+independent tiles; correlation 1, 2, ... tiles apart), likeness (of each channel mean, variance, \
+moved; patches and patches_high: distances of 7x7 patches, in 1/255), reuse (share, evenness, \
+largest).";
+
 /// Examples for `export`.
 pub const EXPORT: &str = "\
 A packing is checked, then written for another program. Tile sets and frames name a picture of the \
