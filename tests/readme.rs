@@ -24,6 +24,7 @@ const PAGES: &[(&str, &str, usize)] = &[
     ("docs/formats-out.md", include_str!("../docs/formats-out.md"), 18),
     ("docs/tilings.md", include_str!("../docs/tilings.md"), 9),
     ("docs/shaders.md", include_str!("../docs/shaders.md"), 5),
+    ("docs/dappled.md", include_str!("../docs/dappled.md"), 30),
     ("docs/texture.md", include_str!("../docs/texture.md"), 7),
     ("docs/search.md", include_str!("../docs/search.md"), 2),
     ("docs/packings.md", include_str!("../docs/packings.md"), 4),

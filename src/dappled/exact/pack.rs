@@ -123,7 +123,7 @@ mod tests {
             ((4, 4), [Some(3), Some(3)], 5),
             ((2, 2), [Some(3), Some(3)], 0),
             ((7, 2), [Some(3), None], 4),
-            ((7, 5), [Some(4), Some(2)], 17),
+            ((7, 5), [Some(4), Some(2)], 15),
             ((1, 9), [None, None], 0),
         ] {
             let runs = runs(size, lengths);
