@@ -34,7 +34,7 @@ fn what_cannot_be_drawn_is_refused() {
     place.run("find --kind corner --colors 3 --seed 5 --method construct -o seeded.json").exits(0);
     place.run("find --kind domino --colors 3 -o ring.json").exits(0);
     for (args, expected) in [
-        ("compact.json --to wgsl", "a coloring by hash or Halton needs the complete set"),
+        ("compact.json --to wgsl", "this coloring needs the complete set"),
         (
             "compact.json --to wgsl --coloring map:compact.json --lookup formula",
             "only those of complete",

@@ -144,8 +144,8 @@ streams cross, where tile 1 stands both turn, so that they wind through the tili
 dappled says how far they go straight on. At crossings every stream goes over and under in turns.
 
 Examples:
-  tilepack dapple decide --size 24x16 -o field.txt; tilepack dapple flow field.txt -o flow.svg
-  tilepack dapple flow field.txt -o flow.html
+  tilepack dapple decide --size 24x16 -o winding.txt; tilepack dapple flow winding.txt -o flow.svg
+  tilepack dapple flow winding.txt -o flow.html
 
 JSON fields (--json): result (drawn), width, height, streams, closed, longest (cells that it goes \
 through), straight (cells at most, in a row and in a column), file.";
