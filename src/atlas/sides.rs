@@ -6,40 +6,7 @@
 
 use crate::tiles::{Colors, Kind, TileId};
 
-/// A side of a tile.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Side {
-    /// Above.
-    North,
-    /// Right.
-    East,
-    /// Below.
-    South,
-    /// Left.
-    West,
-}
-
-impl Side {
-    /// All sides, clockwise.
-    pub const ALL: [Side; 4] = [Side::North, Side::East, Side::South, Side::West];
-
-    /// The name used in messages.
-    pub fn name(self) -> &'static str {
-        ["north", "east", "south", "west"][self as usize]
-    }
-
-    /// The side of the neighbor that meets this one.
-    pub fn opposite(self) -> Side {
-        [Side::South, Side::West, Side::North, Side::East][self as usize]
-    }
-
-    /// Columns to the east and rows to the south of the neighbor.
-    pub fn step(self) -> (isize, isize) {
-        [(0, -1), (1, 0), (0, 1), (-1, 0)][self as usize]
-    }
-}
-
-/// The keys of a tile's sides, in the order of [`Side::ALL`]; all are below [`keys`].
+/// The keys of a tile's sides, in the order of [`crate::tiles::Side::ALL`]; all are below [`keys`].
 pub fn side_keys(kind: Kind, tile: TileId, colors: Colors) -> [u32; 4] {
     let sides = kind.unpack(tile, colors).map(u32::from);
     match kind {

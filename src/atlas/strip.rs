@@ -5,8 +5,9 @@
 //! because tiles that meet in a corner only share nothing else (the *corner problem*, Cohen et
 //! al. 2003). For corner tiles that follows from the sides: two strips cross there.
 
-use super::sides::{Side, key_in_words, keys, side_keys};
+use super::sides::{key_in_words, keys, side_keys};
 use super::{AtlasError, Image};
+use crate::tiles::Side;
 use crate::tiles::{Colors, Kind, TileId};
 
 /// A rectangle of a tile: columns and rows of its first texel, width and height.

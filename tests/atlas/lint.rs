@@ -2,8 +2,8 @@
 
 use super::{compact, corner, noise, wang};
 use tilepack::atlas::lint::{Findings, Question, heat_map, lint};
-use tilepack::atlas::sides::Side;
 use tilepack::atlas::{Arrangement, Format, Image, Layout, Sheet, assemble};
+use tilepack::tiles::Side;
 use tilepack::tiles::{Kind, TileId};
 use tilepack::torus::Packing;
 

@@ -25,6 +25,21 @@ fn made(rule: &Rule, start: Field, order: Order) -> (Field, How) {
     }
 }
 
+/// Steps I and II for a cell that repeats too often.
+fn steps(
+    field: &mut Field,
+    (i, j): (usize, usize),
+    violates: impl Fn(&Field, usize, usize) -> bool,
+) {
+    field.set(i, j, 1 - field.at(i, j));
+    if violates(field, i, j) {
+        let s = field.at(i - 1, j - 1);
+        field.set(i, j, s);
+        field.set(i - 1, j, 1 - s);
+        field.set(i, j - 1, 1 - s);
+    }
+}
+
 /// Algorithm 1 as it is written down; `limit` is that of a direction, a label and a cell.
 fn obvious(field: &mut Field, limit: impl Fn(Direction, u8, usize) -> Option<u32>, order: Order) {
     let (m, n) = (field.width(), field.height());
@@ -43,13 +58,7 @@ fn obvious(field: &mut Field, limit: impl Fn(Direction, u8, usize) -> Option<u32
         for i in columns {
             let j = weight - i;
             if violates(field, i, j) {
-                field.set(i, j, 1 - field.at(i, j));
-                if violates(field, i, j) {
-                    let s = field.at(i - 1, j - 1);
-                    field.set(i, j, s);
-                    field.set(i - 1, j, 1 - s);
-                    field.set(i, j - 1, 1 - s);
-                }
+                steps(field, (i, j), violates);
             }
         }
     }
@@ -290,13 +299,7 @@ fn bezel(field: &mut Field) {
         for i in (2..m).filter(|&i| i + 2 <= weight && weight - i < n) {
             let j = weight - i;
             if violates(field, i, j) {
-                field.set(i, j, 1 - field.at(i, j));
-                if violates(field, i, j) {
-                    let s = field.at(i - 1, j - 1);
-                    field.set(i, j, s);
-                    field.set(i - 1, j, 1 - s);
-                    field.set(i, j - 1, 1 - s);
-                }
+                steps(field, (i, j), violates);
             }
         }
     }

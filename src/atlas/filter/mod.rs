@@ -19,8 +19,8 @@ mod neighbors;
 pub use footprint::{Direction, Footprint, Part, Tap};
 
 use super::light::Decoder;
-use super::sides::Side;
 use super::{AtlasError, Image, Layout};
+use crate::tiles::Side;
 use neighbors::{Corner, Neighbors};
 use rayon::prelude::*;
 

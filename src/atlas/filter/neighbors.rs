@@ -4,7 +4,8 @@
 //! each corner of a tile the triples of groups (beside, below, between) that fit.
 
 use crate::atlas::Layout;
-use crate::atlas::sides::{Side, keys, side_keys};
+use crate::atlas::sides::{keys, side_keys};
+use crate::tiles::Side;
 use std::collections::HashMap;
 
 /// A smallest and a largest value.

@@ -2,8 +2,8 @@
 //! visible seam in orange.
 
 use super::Findings;
-use crate::atlas::sides::Side;
 use crate::atlas::{Channels, Depth, Format, Image, Light, Sheet};
+use crate::tiles::Side;
 
 const FORMAT: Format = Format { channels: Channels::Rgb, depth: Depth::Eight, light: Light::Srgb };
 

@@ -17,9 +17,10 @@ mod steps;
 pub use heat::heat_map;
 pub use steps::Seam;
 
-use super::sides::{Side, keys, side_keys};
+use super::sides::{keys, side_keys};
 use super::strip::{Area, corner_areas, strip_area};
 use super::{AtlasError, Image, Sheet};
+use crate::tiles::Side;
 use crate::tiles::{Kind, TileId};
 use rayon::prelude::*;
 use std::collections::{BTreeMap, HashMap};

@@ -1,7 +1,7 @@
 //! The step across a seam, against the steps beside it.
 
 use crate::atlas::Image;
-use crate::atlas::sides::Side;
+use crate::tiles::Side;
 use rayon::prelude::*;
 
 /// Two tiles that may lie side by side.

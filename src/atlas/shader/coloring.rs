@@ -74,27 +74,30 @@ pub(super) fn map_channels(tiling: &Tiling) -> Option<usize> {
 
 /// The parts that give the sides of a tile.
 pub(super) fn templates(tiling: &Tiling) -> Vec<&'static str> {
+    const MIX: &str = include_str!("template/mix.wgsl");
     const KEYED: &str = include_str!("template/keyed.wgsl");
     const AROUND: &str = include_str!("template/around.wgsl");
     let mut parts = match tiling.coloring() {
-        Coloring::Hash { .. } => vec![include_str!("template/hash.wgsl")],
+        Coloring::Hash { .. } => vec![MIX, include_str!("template/hash.wgsl")],
         Coloring::Halton(_) => vec![include_str!("template/halton.wgsl")],
         Coloring::Map(_) => vec![include_str!("template/map.wgsl")],
-        Coloring::Compact(Compact::Xor(_)) => vec![KEYED, include_str!("template/xor.wgsl")],
+        Coloring::Compact(Compact::Xor(_)) => vec![MIX, KEYED, include_str!("template/xor.wgsl")],
         Coloring::Compact(Compact::Diagonal(_)) => {
-            vec![KEYED, include_str!("template/diagonal.wgsl")]
+            vec![MIX, KEYED, include_str!("template/diagonal.wgsl")]
         }
-        Coloring::Compact(Compact::Block4(_)) => vec![KEYED, include_str!("template/block4.wgsl")],
+        Coloring::Compact(Compact::Block4(_)) => {
+            vec![MIX, KEYED, include_str!("template/block4.wgsl")]
+        }
         // Refused above.
         Coloring::Compact(Compact::Frames(_)) => vec![],
-        Coloring::Sums(_) => vec![KEYED, include_str!("template/sums.wgsl")],
+        Coloring::Sums(_) => vec![MIX, KEYED, include_str!("template/sums.wgsl")],
         Coloring::Permuted(_) => vec![
             AROUND,
             include_str!("template/entry.wgsl"),
             include_str!("template/permuted.wgsl"),
         ],
         Coloring::Probabilities(_) => {
-            vec![KEYED, AROUND, include_str!("template/probabilities.wgsl")]
+            vec![MIX, KEYED, AROUND, include_str!("template/probabilities.wgsl")]
         }
     };
     match (tiling.coloring(), tiling.kind()) {

@@ -19,6 +19,7 @@ pub mod labels;
 pub mod region;
 mod walk;
 
+pub use crate::tiles::Side;
 pub use walk::weight;
 
 /// An edge whose position is not known, or that is none.
@@ -31,34 +32,6 @@ pub const MOST_POSITIONS: u8 = 64;
 /// no brick is a sliver.
 pub fn place(position: u8, positions: u8) -> f64 {
     0.22 + 0.56 * f64::from(position) / f64::from(positions.max(2) - 1)
-}
-
-/// The sides of a cell, in the order in which tiles list them.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Side {
-    /// Above.
-    North,
-    /// To the right.
-    East,
-    /// Below.
-    South,
-    /// To the left.
-    West,
-}
-
-impl Side {
-    /// All of them.
-    pub const ALL: [Side; 4] = [Side::North, Side::East, Side::South, Side::West];
-
-    /// Its name.
-    pub fn name(self) -> &'static str {
-        match self {
-            Side::North => "north",
-            Side::East => "east",
-            Side::South => "south",
-            Side::West => "west",
-        }
-    }
 }
 
 /// The positions of the edges of a grid, some of them [`FREE`].

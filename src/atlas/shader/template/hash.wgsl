@@ -1,13 +1,3 @@
-// Mixes 32 bits: a bijection (lowbias32, C. Wellons 2018).
-fn NAME_mix(x: u32) -> u32 {
-    var h: u32 = x;
-    h = h ^ (h >> 16u);
-    h = h * 0x7feb352du;
-    h = h ^ (h >> 15u);
-    h = h * 0x846ca68bu;
-    return h ^ (h >> 16u);
-}
-
 // The hash of a point, modulo 2^32; KEY is mix(seed + 0x9e3779b9).
 fn NAME_hash(x: i32, y: i32) -> u32 {
     return NAME_mix(u32(x) + NAME_mix(u32(y) + NAME_KEY));
