@@ -85,7 +85,7 @@ impl Place {
 
     /// Whether a part has saved what it did so far, and is not done.
     fn has_checkpoint(&self, part: u64) -> bool {
-        self.path(&format!("plan.json.parts/part-{part:02}.checkpoint")).exists()
+        self.path(&format!("plan.json.parts/part-{part}.checkpoint")).exists()
     }
 
     /// The logs of all parts, sorted by their names.
