@@ -69,7 +69,7 @@ fn rewrite_the_pictures() {
         let (width, height) = WINDOW;
         let run = Command::new("chromium")
             .args(["--headless", "--no-sandbox", "--disable-gpu", "--enable-unsafe-swiftshader"])
-            .args(["--hide-scrollbars", "--virtual-time-budget=4000"])
+            .args(["--hide-scrollbars", "--timeout=4000"])
             .arg(format!("--window-size={width},{height}"))
             .arg(format!("--user-data-dir={}", folder.path().join("profile").display()))
             .arg(format!("--screenshot={}", shot.display()))
