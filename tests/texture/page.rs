@@ -73,7 +73,10 @@ fn rewrite_the_pictures() {
             .arg(format!("--window-size={width},{height}"))
             .arg(format!("--user-data-dir={}", folder.path().join("profile").display()))
             .arg(format!("--screenshot={}", shot.display()))
-            .arg(format!("file://{}", folder.path().join(format!("{example}.html")).display()))
+            .arg(format!(
+                "file://{}#folded=1",
+                folder.path().join(format!("{example}.html")).display()
+            ))
             .output()
             .unwrap();
         assert!(run.status.success(), "{}", String::from_utf8_lossy(&run.stderr));
