@@ -2,6 +2,8 @@
 
 use crate::{bare, corner_2, input, written};
 use serde_json::{Value, json};
+use tilepack::dappled::brick::{Wall, boundary};
+use tilepack::dappled::{FREE, notation};
 use tilepack::store::{
     Claim, Layout, PartResult, SearchPlan, holds_cubes, read_border, read_cubes, read_pins,
     read_probabilities, read_solution, read_tile_set, solutions, write_cubes, write_grid,
@@ -57,6 +59,22 @@ fn every_example_in_the_documentation_is_read() {
                 let grid = read_probabilities(&input).unwrap();
                 assert_eq!((grid.shape.to_string(), grid.colors), ("3x2".to_owned(), 2));
             }
+            "text field" => {
+                let field = notation::field(text, 3).unwrap();
+                assert_eq!((field.width(), field.at(1, 1), field.at(2, 1)), (3, FREE, 2));
+            }
+            "text limits-3x2" => {
+                assert_eq!(notation::map(text, (3, 2)).unwrap()[2..4], [u32::MAX, 3]);
+            }
+            "text boundary-3x2" => {
+                boundary::read(text, &mut Wall::rectangle((3, 2), 3)).unwrap();
+            }
+            "text region" => {
+                assert_eq!(
+                    boundary::region(text).unwrap().1.iter().filter(|&&tile| tile).count(),
+                    8
+                );
+            }
             "json cubes" => {
                 assert!(holds_cubes(&input));
                 let cubes = read_cubes(&input).unwrap().packing;
@@ -88,7 +106,7 @@ fn every_example_in_the_documentation_is_read() {
         }
         seen.push(language);
     }
-    assert_eq!(seen.len(), 22);
+    assert_eq!(seen.len(), 26);
 }
 
 #[test]
