@@ -106,11 +106,6 @@ impl Field {
         &mut self.cells
     }
 
-    /// All cells, taken out.
-    pub fn into_cells(self) -> Vec<u8> {
-        self.cells
-    }
-
     /// The rows, from the north.
     pub fn rows(&self) -> impl Iterator<Item = &[u8]> {
         self.cells.chunks(self.width)

@@ -122,11 +122,6 @@ impl Probabilities {
         if second < column.threshold { choice as u8 } else { column.alias }
     }
 
-    /// The probabilities in the cell of a point, as its columns have them.
-    pub fn of_point(&self, x: i64, y: i64) -> Vec<f64> {
-        probabilities_of(self.at(x, y))
-    }
-
     /// The colors with a probability above 0 in each cell, row by row from the north.
     pub fn supports(&self) -> Vec<Vec<u8>> {
         let cells = self.columns.chunks(self.colors);

@@ -1,7 +1,7 @@
 //! The nearest dappled tiling against all fillings, against a search row by row, and against
 //! numbers that are known.
 
-use assert_cmd::Command;
+use crate::program::run;
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64;
 use serde_json::Value;
@@ -255,14 +255,6 @@ fn tasks_that_make_no_sense_are_refused() {
     assert_eq!(fixed, "the fixed cells: tile 2, expected one below 2");
     assert!(refused(Task { weights: Some(&[1; 5]), ..task }).starts_with("the weights: 5"));
     assert!(refused(Task { weights: Some(&[2_000_000; 6]), ..task }).contains("or less"));
-}
-
-/// Runs the program in a folder: exit code, standard output, standard error.
-fn run(place: &TempDir, args: &str) -> (i32, String, String) {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_tilepack"));
-    let output = command.args(args.split_whitespace()).current_dir(place).output().unwrap();
-    let text = |bytes| String::from_utf8(bytes).unwrap();
-    (output.status.code().unwrap(), text(output.stdout), text(output.stderr))
 }
 
 #[test]

@@ -1,6 +1,6 @@
 //! `dapple make` and `brick` as users meet them.
 
-use assert_cmd::Command;
+use crate::program;
 use serde_json::Value;
 use tempfile::TempDir;
 
@@ -14,10 +14,7 @@ impl Place {
 
     /// Runs the program: exit code, standard output, standard error.
     fn run(&self, args: &str) -> (i32, String, String) {
-        let mut command = Command::new(env!("CARGO_BIN_EXE_tilepack"));
-        let output = command.args(args.split_whitespace()).current_dir(&self.0).output().unwrap();
-        let text = |bytes| String::from_utf8(bytes).unwrap();
-        (output.status.code().unwrap(), text(output.stdout), text(output.stderr))
+        program::run(&self.0, args)
     }
 
     fn json(&self, args: &str) -> Value {

@@ -12,6 +12,7 @@ mod exact;
 mod flow;
 mod make;
 mod oracle;
+mod program;
 #[path = "../sat/proof.rs"]
 mod proof;
 mod random;

@@ -317,7 +317,8 @@ fn limits_of_2_where_the_bezel_fails() {
         let (got, _) = made(&rule, start, Order::Diagonal);
         assert!(rule.accepts(&got));
     }
-    assert!((1..60).contains(&failed), "{failed}");
+    // Counted here; the same seeds give the same fields everywhere.
+    assert_eq!(failed, 11);
 }
 
 #[test]
